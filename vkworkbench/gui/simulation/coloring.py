@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colourings of surfaces, with their legends."""
+"""Colour the surfaces of the simulated part by material, operation, strategy, time, removal rate or difference."""
 
 from __future__ import annotations
 
@@ -28,14 +28,15 @@ from vkworkbench.gui.qt.sentences import strategy_name, user
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.simulation.moment import Clock
 
-# Colours by the trajectory that made a surface, (n + 1, 3) or (2, 3) uint8; or a function that returns the colours of pixels.
+# RGB colours of the surfaces that n trajectories made, (n + 1, 3) uint8; (2, 3) if all trajectories have one colour.
+# A function instead returns the colour of each pixel.
 Colors = Union[np.ndarray, Callable[[ZBuffer], np.ndarray]]
 Entries = Tuple[Tuple[str, str], ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """The data of a job for its colouring.
+    """The data of a job that a colouring uses.
 
     Attributes
     ----------
@@ -46,11 +47,11 @@ class Job:
     volumes : (n,) float64
         Removed volume of each trajectory, mm^3.
     seen : SeenModel or None
-        The model in the coloured image.
+        The model, seen as in the coloured image.
     awaited : bool
-        Whether the model is still being computed.
+        Whether the image of the model is still being computed.
     tolerance : float
-        Allowed difference from the model, mm.
+        Allowed difference between the part and the model, mm.
     """
 
     labels: tuple[str, ...]
@@ -64,13 +65,13 @@ class Job:
 
 @dataclass(frozen=True, eq=False)
 class Coloring:
-    """Colours of surfaces, computed in any thread, and a legend, made in the window's thread.
+    """Colours of surfaces, which any thread may compute, and a legend, which only Qt's main thread may make.
 
     Attributes
     ----------
     colors : Colors
     legend : callable
-        Returns tuples of a colour and its meaning.
+        Returns the entries of the legend: pairs of a colour and its meaning.
     """
 
     colors: Colors
@@ -89,7 +90,7 @@ def by_operation(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_strategy(zbuffer: ZBuffer, job: Job) -> Coloring:
-    # Do not use QColor, because this function runs outside the window's thread.
+    # Do not use QColor, because this function runs outside Qt's main thread.
     colors = np.array([list(bytes.fromhex(strategy.color[1:])) for strategy in job.strategies], np.uint8)
     shown = dict.fromkeys(job.strategies)
     return Coloring(palette(colors[zbuffer.cuts.cut]), lambda: tuple((s.color, strategy_name(s)) for s in shown))
@@ -102,7 +103,7 @@ def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """Colour by removal rate, from 0 to the rate that only 1 % of the removed volume exceeds."""
+    """Colour by removal rate, from 0 to the rate above which only 1 % of the volume is removed."""
     volumes = job.volumes
     rates = job.clock.rates(volumes)
     order = np.argsort(rates)
@@ -112,7 +113,10 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
 
 
 def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
-    """Colour by the distance between part and model along the view. Pixels at a wall rarely count as different."""
+    """Colour each pixel by the distance between part and model in the direction of the view.
+
+    Pixels at a wall of the part rarely count as different from the model.
+    """
     seen, tolerance = job.seen, job.tolerance
     if seen is None:
         return Coloring(palette(CUT), lambda: ((_name(CUT), (
@@ -147,13 +151,13 @@ COLORINGS: tuple[tuple[str, Callable[[ZBuffer, Job], Coloring]], ...] = (
 
 
 def _ends(least: str, most: str) -> Entries:
-    """Return the legend of a scale; its first and last colours have names."""
+    """Return the legend of a colour scale; only the first and the last colour have names."""
     names = [least, *[""] * (len(SCALE) - 2), most]
     return tuple(zip(map(_name, SCALE), names))
 
 
 def _stations(colors: np.ndarray, name: str) -> Entries:
-    """Return the legend of a scale; its last colour has a name."""
+    """Return the legend of a colour scale; only the last colour has a name."""
     return tuple(zip(map(_name, colors), [*[""] * (len(colors) - 1), name]))
 
 

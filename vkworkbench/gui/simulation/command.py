@@ -16,11 +16,11 @@ from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 
-_LOW = 400  # px; in a lower tab, some rows of controls would be hidden
+_LOW = 400  # minimum height for which the tab makes room, px; a lower tab hides some rows of controls
 
 
 class SimulateCommand(DocumentCommand):
-    """Simulate the selected job or operations, or the job of the active document. With several jobs, ask for one."""
+    """Simulate the selected job or operations, or the job of the active document. Ask which of several jobs."""
 
     name = "Vk_Simulate"
     menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate Toolpaths")
@@ -56,7 +56,7 @@ def _ask_which(jobs: list) -> None:
 
 
 def open_tab(what):
-    """Open a tab that simulates operations, and return it. If nothing can be simulated, show why and return None."""
+    """Open a tab that simulates operations, and return it; if nothing can be simulated, say why and return None."""
     from vkworkbench.gui.simulation.tab import SimulationTab
 
     window = Gui.getMainWindow()
@@ -77,14 +77,14 @@ def open_tab(what):
 
 
 def _again(tab) -> None:
-    """Replace a tab by a new simulation of the same objects."""
+    """Close a tab, and open a new tab with a new simulation of the same objects."""
     asked = tab.copy.asked()
     tab.window_of().close()
     open_tab(asked)
 
 
 def _title(copy: JobCopy) -> str:
-    """Return the label of the document, or of the only operation."""
+    """Return the title of the tab: the label of the document, or the label of the only operation."""
     return copy.labels[0] if len(copy.labels) == 1 else FreeCAD.getDocument(copy.document).Label
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of controls: above the part for its view, below the part for the shown moment."""
+"""The controls of a simulation: rows above the part control the view, rows below the part control the shown moment."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from vkworkbench.gui.simulation.coloring import COLORINGS, by_difference
 from vkworkbench.gui.simulation.faults import Fault
 from vkworkbench.gui.simulation.widgets import PAUSE, PLAY, Legend, SymbolButton
 
-# Playback speeds, as multiples of the machine's speed. None plays the whole job in _WHOLE seconds.
+# Playback speeds, as multiples of the machine's speed. The speed None plays the whole job in _WHOLE seconds.
 _SPEEDS = (1, 10, 100, 1000, None)
 _WHOLE = 30.0
 _VIEWS = (
@@ -52,24 +52,25 @@ _BORDERS = 60  # px that a menu needs beside the text of an entry
 
 
 class SceneBar(QWidget):
-    """Controls for the direction, colours and chips, the list of warnings, and the menu for saving.
+    """Controls for the direction of the view, the colours and the chips, a list of warnings, and a menu for saving.
 
     Attributes
     ----------
     looked : Signal of object
         The user chose a standard direction, given by its name, or the direction of the 3D view (None).
     recolored, chosen : Signal
-        The user changed the colouring or tolerance; the user chose to show part, chips or both.
+        The user changed the colouring or the tolerance; the user chose to show the part, the chips or both.
     hinted, pointed : Signal of Fault
-        The pointer is on a fault in a list; the user chose a fault.
+        The mouse pointer is on a fault in a list; the user chose a fault.
     saved : Signal of object
-        The user asked to save; the argument is a function of `exports`.
+        The user asked to save; the argument is the function of `exports` that saves.
     measure, path : QAction
-        Whether clicks measure, and whether the path of the tool is drawn.
+        Checked if clicks on the part measure; checked if the path of the tool is drawn.
     section : SectionBar
-        The row of the section.
+        The row with the slider that moves the section.
     controls, differences : QWidget
-        The permanent row; the row that is shown while surfaces are coloured by their difference from the model.
+        The row that is always shown; the row that is shown while surfaces are coloured by their difference from the
+        model.
     """
 
     looked, saved = Signal(object), Signal(object)
@@ -149,14 +150,14 @@ class SceneBar(QWidget):
         return self.tolerance.value() * self._unit
 
     def list_warnings(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
-        """List faults, with the texts that `text` returns."""
+        """List faults in the menu of warnings, each with the text that `text` returns."""
         self._list(self.warnings, found, text)
         count = user().count(len(found))
         self.warnings.setText(translate("Vk_Simulate", "⚠ Warnings: {}").format(count))
         self.warnings.setVisible(bool(found))
 
     def list_worst(self, found: Sequence[Fault], text: Callable[[Fault], str]) -> None:
-        """List the worst differences from the model."""
+        """List the largest differences from the model in the menu of worst places."""
         self._list(self.worst, found, text)
         self.worst.setEnabled(bool(found))
 
@@ -201,7 +202,7 @@ class SectionBar(QWidget):
     axis : int or None
         Axis perpendicular to the section; None without a section.
     changed : Signal
-        The section has moved, begun or ended.
+        The section has been moved, shown or removed.
     """
 
     changed = Signal()
@@ -222,7 +223,7 @@ class SectionBar(QWidget):
 
     @property
     def share(self) -> float:
-        """Place of the section in the stock, 0 to 1."""
+        """Position of the section in the stock, from 0 (lower end) to 1 (upper end)."""
         return self.slider.value() / self._STEPS
 
     def begin(self, axis: int | None) -> None:
@@ -231,17 +232,17 @@ class SectionBar(QWidget):
         self.changed.emit()
 
     def show_place(self, millimetres: float) -> None:
-        """Show the coordinate of the section."""
+        """Show the coordinate of the section as text."""
         self.place.show_text(f"{_AXES[self.axis or 0]} {user().measure(millimetres, 4)}")
 
 
 class PlayBar(QWidget):
-    """Buttons for stepping and playing, and a text on the present moment.
+    """Buttons for stepping and playing, and a text about the shown moment.
 
     Attributes
     ----------
     stepped : Signal of int
-        Step by a trajectory (1), a command (2) or an operation (3); backwards if negative.
+        The user asked for a step by a trajectory (1), a command (2) or an operation (3); backwards if negative.
     play_clicked : Signal
     controls : QWidget
         The row of buttons.

@@ -39,7 +39,7 @@ def save_picture(player) -> None:
 def save_frames(player) -> None:
     """Save pictures of the whole job, at equal time intervals, in a new folder inside a folder that the user chooses.
 
-    The pictures are saved after the finest simulation is finished.
+    The function waits for the finest simulation before it saves pictures.
     """
     title = translate("Vk_Simulate", "Folder for the Pictures")
     chosen = QFileDialog.getExistingDirectory(player, title, str(Path(_proposed(player, "")).parent))
@@ -71,7 +71,7 @@ def save_frames(player) -> None:
 
 
 def _new_folder(parent: Path, document: str) -> Path:
-    """Create a folder for the pictures of a document. If the name exists, append a number."""
+    """Create a folder for the pictures of a document. If a folder of this name exists, append a number to the name."""
     name = translate("Vk_Simulate", "{} pictures").format(document)
     numbered = chain([name], (f"{name} {number}" for number in count(2)))
     folder = next(folder for folder in map(parent.joinpath, numbered) if not folder.exists())
@@ -80,7 +80,9 @@ def _new_folder(parent: Path, document: str) -> Path:
 
 
 def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bool]) -> int:
-    """Write pictures, numbered from 0000, from the stock to the part. The shown moment is restored at the end.
+    """Write pictures of the simulation, numbered from 0000, from the raw stock to the finished part.
+
+    At the end the player shows the same moment as before.
 
     Parameters
     ----------
@@ -88,7 +90,7 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
     number : int
         Number of pictures.
     going_on : callable
-        Called before each picture with the number of written pictures; False ends the work.
+        Called before each picture with the number of written pictures; the result False ends the writing.
 
     Returns
     -------
@@ -121,7 +123,7 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
 
 
 def save_rates(player) -> None:
-    """Save volume and removal rate of each trajectory to a CSV file that the user chooses."""
+    """Save the removed volume and the removal rate of each trajectory to a CSV file that the user chooses."""
     title = translate("Vk_Simulate", "Save Removal Rates")
     path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".csv"), "CSV (*.csv)")
     path = with_suffix(path, ".csv")
@@ -133,7 +135,10 @@ def save_rates(player) -> None:
 
 
 def write_rates(player, path: Path) -> None:
-    """Write one line for each trajectory. Trajectories and commands of an operation are counted from 1, as in the window."""
+    """Write one CSV line for each trajectory.
+
+    The trajectories and commands of each operation are numbered from 1, as in the simulation tab.
+    """
     ends, rates = player.clock.ends, player.clock.rates(player.volumes)
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

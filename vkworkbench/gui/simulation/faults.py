@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The faults of a checked job: collisions, crashes, gouges, fast plunges, and the worst differences from the model.
+"""The faults of a checked job: collisions, crashes, gouges, fast plunges, and the largest differences from the model.
 
-Faults are listed, marked on the time line, and passed to marks and results.
+Faults are listed in a menu, drawn on the time line, and passed to the marks in the tree and to the results panel.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ from vkworkbench.language import Message
 
 @dataclass(frozen=True)
 class Fault:
-    """A fault with its place.
+    """A fault with its place on the part.
 
     Attributes
     ----------
     cut : int or None
-        Number of the operation that caused the fault; None if no operation did.
+        Number of the operation that caused the fault; None if no operation caused it.
     command : int or None
         Number of the command in the operation.
     trajectory : int or None
-        Trajectory, counted over all operations.
+        Number of the trajectory, counted over all operations.
     place : (3,) tuple of float
-        Position, mm.
+        Position of the fault, mm.
     what : Message
     serious : bool
-        Whether part, tool or machine are damaged.
+        Whether the fault damages the part, the tool or the machine.
     """
 
     cut: int | None
@@ -49,7 +49,7 @@ class Fault:
 
     @property
     def of_finished_part(self) -> bool:
-        """Whether the fault is visible on the finished part only."""
+        """Whether the fault can be seen only on the finished part (leftover material)."""
         return self.what.code == "leaves-material"
 
     @property
@@ -65,11 +65,11 @@ class Judgement:
     Attributes
     ----------
     faults : list of Fault
-        Collisions, crashes, gouges deeper than the tolerance, fast plunges.
+        Collisions, crashes, gouges deeper than the chosen tolerance, and fast plunges.
     differences : list of Fault or None
-        The worst differences from the model; None if not requested.
+        The largest differences from the model; None if not requested.
     proved : list of Fault
-        Serious faults at the default tolerance.
+        Collisions, crashes, and gouges deeper than the default tolerance.
     """
 
     faults: list[Fault]
@@ -78,14 +78,14 @@ class Judgement:
 
 
 def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:
-    """Find the faults of a job. Any thread can run this slow function.
+    """Find the faults of a job. This function is slow, and any thread may run it.
 
     Parameters
     ----------
     tolerance : float
-        Allowed difference from the model, mm.
+        Allowed difference between the part and the model, mm.
     compares : bool
-        Whether to find the worst differences, too.
+        Whether to find the largest differences from the model, too.
     """
     job = findings.facts.job
     collided = [_fault(c, c.what, True) for c in job.collisions]
@@ -111,7 +111,7 @@ def differences(findings: Findings, tolerance: float) -> list[Fault]:
 
 
 def _gouge(one: Deviation) -> Fault:
-    """Return the fault for missing material, which a command has cut away or the stock never had."""
+    """Return the fault for missing material, which either a command has cut away or the stock never had."""
     lacks, cut = Message("stock-lacks", depth=one.depth), Message("cuts-model", depth=one.depth)
     return _fault(one, lacks if one.source is None else cut, True)
 
@@ -121,11 +121,11 @@ def _fault(one, what: Message, serious: bool) -> Fault:
     return Fault(source and source.cut, source and source.command, one.trajectory, one.place, what, serious)
 
 
-_SERIOUS, _FAST = "#d32f2f", "#e08000"  # colours of crashes and gouges, and of fast plunges
+_SERIOUS, _FAST = "#d32f2f", "#e08000"  # colours on the time line: serious faults, and fast plunges
 
 
 class KnownFaults:
-    """The faults of a job for its marks and results.
+    """The faults of a job that the marks in the tree and the results panel show.
 
     Parameters
     ----------
@@ -135,12 +135,12 @@ class KnownFaults:
 
     def __init__(self, job: SimulatedJob, clock: Clock) -> None:
         self.job, self.clock = job, clock
-        self._proved: list[Fault] | None = None  # serious faults; None until the job was checked
+        self._proved: list[Fault] | None = None  # faults at the default tolerance; None until the job was checked
         self._verdict = PENDING
-        self._holds = False  # whether the document is unchanged since it was read
+        self._holds = False  # whether the document is unchanged since the job was read
 
     def text(self, fault: Fault) -> str:
-        """Return a fault as text, with operation, command and G-code."""
+        """Return a fault as text, with the operation, the command's number and the G-code of the command."""
         if fault.cut is None:
             return translate("Vk_Simulate", "Stock: {}").format(sentence(fault.what))
         text = translate("Vk_Simulate", "{}, command {} ({}): {}")
@@ -148,13 +148,13 @@ class KnownFaults:
         return text.format(label, fault.command + 1, code, sentence(fault.what))
 
     def text_with_place(self, fault: Fault) -> str:
-        """Return a fault as text with its position, because one command can have several faults."""
+        """Return a fault as text with its position, which distinguishes several faults of one command."""
         factor, unit = user().length_unit(max(map(abs, fault.place)))
         x, y, z = (user().number(round(value / factor, 3), 5) for value in fault.place)
         return translate("Vk_Simulate", "{} (X {} Y {} Z {} {})").format(self.text(fault), x, y, z, unit)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
-        """Return faults as marks on the time line. Missing stock has no trajectory, so it gets no mark."""
+        """Return the warnings for the time line. A fault without a trajectory (missing stock) has no warning there."""
         return tuple(
             Warned(
                 float(self.clock.ends[fault.trajectory + 1]),
@@ -166,12 +166,12 @@ class KnownFaults:
         )
 
     def keep(self, proved: list[Fault], verdict: Verdict) -> None:
-        """Use the faults and the verdict of a check, and show them in marks and results."""
+        """Store the faults and the verdict of a check, and show them in the marks and the results panel."""
         self._proved, self._verdict = proved, verdict
         self._publish()
 
     def follow(self, holds: bool) -> None:
-        """Show faults in marks and results only while the document is unchanged."""
+        """Record whether the document is unchanged (`holds`); only then show the faults in marks and results panel."""
         self._holds = holds
         self._publish()
 

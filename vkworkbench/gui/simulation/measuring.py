@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Distances between two points on the part, and their depths below the top of the stock."""
+"""Measure the distance between two points on the part, and the depth of a point below the top of the stock."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Measuring:
     Attributes
     ----------
     points : tuple of (3,) ndarray
-        At most two points, mm.
+        The measured points, at most two, mm.
     """
 
     def __init__(self, top: float) -> None:
@@ -34,11 +34,11 @@ class Measuring:
         self.points = (*self.points, point) if len(self.points) == 1 else (point,)
 
     def depth(self, point: np.ndarray) -> str:
-        """Return the depth of a point as text."""
+        """Return the depth of a point below the top of the stock, as text."""
         return translate("Vk_Simulate", "Depth below the stock's top: {}").format(_length(self._top - point[2]))
 
     def text(self) -> str:
-        """Return the measured distance as text, or what to do next."""
+        """Return the measured distance as text; with fewer than two points, ask for the next click."""
         if not self.points:
             return translate("Vk_Simulate", "Measuring: click on the first point.")
         if len(self.points) == 1:
@@ -51,5 +51,5 @@ class Measuring:
 
 
 def _length(millimetres: float) -> str:
-    """Return a length, rounded to micrometres."""
+    """Return a length as text, rounded to micrometres."""
     return user().measure(round(float(millimetres), 3) + 0.0, _DIGITS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine's time of a job, and the shown moment, which the user chooses, steps to or plays."""
+"""The machining time of a job, and the shown moment in it, which the user chooses, steps to or plays."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vkworkbench.core.zbuffer import Cuts
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt.names import QObject, Signal
 
-# Assumed speed if no speed of the job is known, mm/s.
+# Assumed speed of all moves if no speed in the job is known, mm/s.
 _USUAL_SPEED = 1000 / 60
 
 
@@ -54,17 +54,23 @@ class Clock:
         return float(self.ends[-1])
 
     def rates(self, volumes: np.ndarray) -> np.ndarray:
-        """Return the removal rates for volumes (n,) mm^3, in mm^3/min; 0 for a trajectory that takes no time."""
+        """Return the removal rate of each trajectory, mm^3/min; 0 for a trajectory that takes no time.
+
+        Parameters
+        ----------
+        volumes : (n,) float64
+            Removed volume of each trajectory, mm^3.
+        """
         seconds = np.diff(self.ends)
         rates: np.ndarray = 60 * volumes / np.where(seconds > 0, seconds, np.inf)
         return rates
 
     def step(self, seconds: float) -> int:
-        """Return the number of trajectories that are finished at a time, s."""
+        """Return how many trajectories are finished after `seconds` of machining."""
         return int(np.searchsorted(self.ends, seconds, side="right")) - 1
 
     def tool_tip(self, seconds: float) -> tuple[int, np.ndarray]:
-        """Return the number of the cut whose tool is moving at a time, and the tip of the tool, (3,) mm."""
+        """Return the number of the cut that runs after `seconds` of machining, and the tip of its tool, (3,) mm."""
         trajectory = min(self.step(seconds), len(self.ends) - 2)
         begin, end = self.ends[trajectory], self.ends[trajectory + 1]
         share = min(max((seconds - begin) / (end - begin), 0.0), 1.0) if end > begin else 1.0
@@ -74,7 +80,7 @@ class Clock:
 
 
 class Moment(QObject):
-    """A moment of the machine's time.
+    """The shown moment in the machining time of a job.
 
     Parameters
     ----------
@@ -83,9 +89,9 @@ class Moment(QObject):
     Attributes
     ----------
     changed : Signal
-        The moment has changed, or playing has begun or ended.
+        The moment has changed, or the playback has begun or ended.
     seconds, done : float, int
-        The machine's time, s, and the number of trajectories that are finished.
+        The machining time until the moment, s, and the number of trajectories that are finished at the moment.
     noticed : int or None
         The trajectory to highlight: the trajectory that the user chose, or the last finished trajectory.
     """
@@ -97,7 +103,7 @@ class Moment(QObject):
         self.clock = clock
         self.seconds, self.done = clock.total, len(clock.cuts)  # begin with the finished part
         self.noticed: int | None = None
-        self._played: float | None = None  # time of the last picture while playing
+        self._played: float | None = None  # computer's time of the last picture, s; None while the playback is paused
 
     @property
     def plays(self) -> bool:
@@ -105,11 +111,11 @@ class Moment(QObject):
 
     @property
     def last(self) -> int:
-        """The last finished trajectory, or the first trajectory at the beginning."""
+        """The last finished trajectory; the first trajectory if none is finished."""
         return max(self.done - 1, 0)
 
     def go_to(self, seconds: float, trajectory: int | None = None) -> None:
-        """Go to a time. If `trajectory` is given, go to its end and highlight it."""
+        """Go to a machining time, s. If `trajectory` is given, go to the end of this trajectory and highlight it."""
         self._played = None
         self.noticed = trajectory
         self._set(seconds, trajectory)
@@ -122,7 +128,7 @@ class Moment(QObject):
         self.go_to(float(self.clock.ends[trajectory + 1]), trajectory)
 
     def choose(self, seconds: float) -> None:
-        """Go to the end of the trajectory that is being cut at a time, and highlight it."""
+        """Go to the end of the trajectory that the tool cuts after `seconds` of machining, and highlight it."""
         self.after(min(self.clock.step(seconds), len(self.clock.cuts) - 1))
 
     def step(self, by: int) -> None:
@@ -140,7 +146,7 @@ class Moment(QObject):
 
     @cached_property
     def starts(self) -> dict[int, np.ndarray]:
-        """The moments to which the three kinds of steps go, as numbers of finished trajectories."""
+        """The moments to which each kind of step (1, 2, 3; see `step`) goes, as numbers of finished trajectories."""
         cuts = self.clock.cuts
         commands = [first + np.flatnonzero(np.diff(cut.toolpath.command, prepend=-1))
                     for first, cut in zip(cuts.first, cuts.cuts)]  # fmt: skip
@@ -148,7 +154,7 @@ class Moment(QObject):
         return {1: np.arange(count + 1), 2: np.append(np.concatenate(commands), count), 3: cuts.first}
 
     def of_command(self, trajectory: int) -> tuple[int, int]:
-        """Return the range of trajectories that belong to the same command as a trajectory: first, and last + 1."""
+        """Return the first and the last + 1 of all trajectories that belong to the same command as `trajectory`."""
         source = self.clock.cuts.source(trajectory)
         command = self.clock.cuts.cuts[source.cut].toolpath.command
         first = trajectory - source.trajectory
@@ -156,7 +162,7 @@ class Moment(QObject):
         return int(first + same[0]), int(first + same[-1]) + 1
 
     def play(self) -> None:
-        """Play from the shown moment, or from the beginning if it is the end of the job; pause if playing."""
+        """Pause the playback, or start it: from the shown moment, or at the end of the job from the beginning."""
         if self.plays:
             self._played = None
         else:
@@ -167,7 +173,7 @@ class Moment(QObject):
         self.changed.emit()
 
     def go_on(self, speed: float) -> None:
-        """Continue playing at `speed` times the machine's speed."""
+        """Advance the playback by the time since the last picture, at `speed` times the machine's speed."""
         if self._played is None:
             return
         now = time.perf_counter()
@@ -180,7 +186,7 @@ class Moment(QObject):
         self.done = self.clock.step(seconds) if trajectory is None else trajectory + 1
 
     def tool_tip(self) -> tuple[int, np.ndarray]:
-        """Return the number of the present cut, and the tip of its tool, (3,) mm."""
+        """Return the number of the cut at the shown moment, and the tip of its tool, (3,) mm."""
         if self.plays:
             return self.clock.tool_tip(self.seconds)
         source = self.clock.cuts.source(self.last)

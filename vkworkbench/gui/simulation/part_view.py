@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulated part as an image that is turned, panned and zoomed with the mouse, and that answers clicks."""
+"""The image of the simulated part. The user turns, pans and zooms the part with the mouse, and clicks on surfaces."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ from vkworkbench.gui.qt.text import translate
 TURN, PAN = "turn", "pan"
 _LEFT, _MIDDLE, _RIGHT = Qt.LeftButton, Qt.MiddleButton, Qt.RightButton
 _NONE, _SHIFT, _CTRL, _ALT = Qt.NoModifier, Qt.ShiftModifier, Qt.ControlModifier, Qt.AltModifier
-# Mouse buttons and modifier keys of FreeCAD's navigation styles (preferences, Display > Navigation). In each style, the
-# left button alone turns the part.
+# Mouse buttons and modifier keys in FreeCAD's navigation styles (preferences, Display > Navigation). In addition, the
+# left button alone turns the part in each style.
 _STYLES = {
     "CAD": ((_MIDDLE, _NONE, PAN), (_MIDDLE | _LEFT, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, TURN)),
     "Gesture": ((_RIGHT, _NONE, PAN), (_MIDDLE, _NONE, TURN)),
@@ -66,27 +66,27 @@ def action(buttons, modifiers) -> str | None:
 _TURN_SPEED = 0.008  # rad for each pixel of the mouse
 _ZOOM = 1.2  # factor for each notch of the wheel
 _RING = 14  # radius of the ring around a shown place, px
-_MARGIN = 1.06  # size of the image relative to the stock
+_MARGIN = 1.06  # size of the image, as a multiple of the size of the stock
 _SCALE, _SCALE_GAP = 120, 8  # maximum length of the scale bar, and its distance from the corner, px
 _TRIAD, _LETTER = 26, 12  # length of the drawn axes, and the distance of their letters, px
 _AXIS_COLORS = ("#d64545", "#3f9b46", "#4477cc")
 
 
 def round_length(most: float) -> float:
-    """Return the largest of the numbers 1, 2 and 5, multiplied by powers of ten, that is at most `most`."""
+    """Return the largest length that is at most `most` and is 1, 2 or 5 times a power of ten."""
     power = 10.0 ** floor(log10(most))
     return next(digit * power for digit in (5, 2, 1) if digit * power <= most * (1 + 1e-9))
 
 
 class Surface(NamedTuple):
-    """A place on the part.
+    """A point on the surface of the part.
 
     Attributes
     ----------
     owner : int
         Trajectory that made the surface; -1 for the raw stock, `CUT_OPEN` for the face of a section.
     place : (3,) ndarray
-        Position, mm.
+        Position of the point, mm.
     """
 
     owner: int
@@ -94,16 +94,16 @@ class Surface(NamedTuple):
 
 
 class PartView(QWidget):
-    """A widget that shows scenes of a simulation.
+    """A widget that shows images of a simulation.
 
     Attributes
     ----------
     changed, resized : Signal
-        The view has changed, for example because the widget has another size; the widget has another size.
+        The view has changed (turned, panned, zoomed, or the widget's size has changed); the widget's size has changed.
     asked : Signal of Surface
         The user clicked on a surface.
     restyled : Signal
-        The theme and the background have changed.
+        The theme has changed, and with it the background.
     """
 
     changed, resized = Signal(), Signal()
@@ -133,7 +133,7 @@ class PartView(QWidget):
 
     @property
     def view(self) -> View:
-        """The view to show, in the widget's pixels."""
+        """The view to show, with one pixel for each pixel of the screen."""
         ratio = self.devicePixelRatioF()
         size = {"width": max(1, round(self.width() * ratio)), "height": max(1, round(self.height() * ratio))}
         whole = View(self._direction, **size).frame(self.stock)
@@ -141,7 +141,7 @@ class PartView(QWidget):
 
     @property
     def frame(self) -> Frame:
-        """The frame of the view to show."""
+        """The frame (placement and pixels) of the view to show."""
         return self.view.frame(self.stock)
 
     def look(self, direction: tuple[float, float, float]) -> None:
@@ -156,17 +156,17 @@ class PartView(QWidget):
         """Show a scene that was drawn with this frame."""
         self._scene, self._frame = scene, frame
         height, width = scene.pixels.shape
-        # Copy the image, because it must live longer than the array.
+        # Copy the image, because it must live longer than the array of bytes.
         self._image = QImage(scene.pixels.tobytes(), width, height, 4 * width, QImage.Format_RGB32).copy()
         self.update()
 
     def show_place(self, place: tuple[float, float, float] | None) -> None:
-        """Draw a ring around a place, mm; remove the ring for None."""
+        """Draw a ring around a point of the part, mm; remove the ring if `place` is None."""
         self._place_shown = place
         self.update()
 
     def show_measured(self, points: tuple[np.ndarray, ...]) -> None:
-        """Draw one or two measured points, mm, and the line between them."""
+        """Draw the measured points, mm, and the line between two points; draw nothing if there are no points."""
         self._measured = points
         self.update()
 
@@ -175,7 +175,7 @@ class PartView(QWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # end now, because the traceback of an error would keep the painter alive
+            painter.end()  # otherwise the traceback of an error keeps the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))
@@ -184,7 +184,7 @@ class PartView(QWidget):
         ratio = self.devicePixelRatioF()
         painter.save()
         painter.scale(1 / ratio, 1 / ratio)
-        # Until the scene of the latest change is drawn, show the previous scene at its place in the new view.
+        # After a change of the view, show the previous image at its place in the new view until a new image is drawn.
         wanted = self.frame
         painter.drawImage(self._place(wanted), self._image)
         if self._place_shown is not None:
@@ -208,7 +208,7 @@ class PartView(QWidget):
         self._paint_axes(painter, wanted)
 
     def _paint_scale(self, painter: QPainter, pixel: float) -> None:
-        """Paint a bar of a round length; `pixel` is the size of the widget's pixels, mm."""
+        """Paint a scale bar of a round length; `pixel` is the size of one pixel of the widget on the part, mm."""
         factor, _ = user().length_unit(_SCALE * pixel)
         length = factor * round_length(_SCALE * pixel / factor)
         left, bottom = _SCALE_GAP, self.height() - _SCALE_GAP
@@ -220,7 +220,7 @@ class PartView(QWidget):
         painter.drawText(QPointF(left + _SCALE_GAP / 2, bottom - _SCALE_GAP / 2), user().measure(length, 1))
 
     def _paint_axes(self, painter: QPainter, frame: Frame) -> None:
-        """Paint the directions of X, Y and Z. The axis that points most towards the eye is painted last."""
+        """Paint the directions of X, Y and Z. The axis that points most towards the viewer is painted last."""
         painter.setRenderHint(QPainter.Antialiasing)
         centre = QPointF(self.width() - _TRIAD - _LETTER, self.height() - _TRIAD - _LETTER)
         axes = zip(frame.direction, frame.right, frame.up, "XYZ", _AXIS_COLORS)
@@ -234,7 +234,7 @@ class PartView(QWidget):
             painter.drawText(place, int(Qt.AlignCenter), name)
 
     def _place(self, wanted: Frame) -> QRectF:
-        """Return the rectangle of the shown scene in the image of the present view."""
+        """Return the rectangle of the last drawn image in the view to show."""
         frame = self._frame
         scale = frame.pixel / wanted.pixel
         column, row, _ = project(frame.centre[None], wanted)[0]
@@ -278,7 +278,7 @@ class PartView(QWidget):
                 self.asked.emit(surface)
 
     def surface_at(self, where) -> Surface | None:
-        """Return the surface at a pixel; None for the background, or before the first scene."""
+        """Return the surface at a position of the mouse; None on the background, and before the first image."""
         if self._scene is None:
             return None
         ratio = self.devicePixelRatioF()
@@ -294,14 +294,14 @@ class PartView(QWidget):
     def wheelEvent(self, event) -> None:
         factor = _ZOOM ** (event.angleDelta().y() / 120)
         at = event.position()
-        # Keep the point under the pointer at its place.
+        # Zoom around the point of the part under the mouse pointer.
         x, y = at.x() - self.width() / 2, self.height() / 2 - at.y()
         self._shift(x, y)
         self._zoom = min(max(self._zoom * factor, 0.2), 200.0)
         self._shift(-x, -y)
 
     def _shift(self, right: float, up: float) -> None:
-        """Pan by a number of pixels of the widget."""
+        """Move the eye to the right and up by a number of pixels of the widget."""
         pixel = self.view.pixel * self.devicePixelRatioF()
         self._offset = self._offset[0] + right * pixel, self._offset[1] + up * pixel
         self.changed.emit()

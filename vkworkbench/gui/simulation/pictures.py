@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a moment: how it is drawn, and drawing it in a background thread."""
+"""Draw the picture of the part at the shown moment, in a background thread."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PATH_DONE, PATH_TO_COME = (20, 90, 200), (200, 60, 160)
 
 
 class Drawing:
-    """The results that a job's picture shows.
+    """The results of a job's simulation from which its pictures are drawn.
 
     Parameters
     ----------
@@ -40,11 +40,11 @@ class Drawing:
     simulated : Simulated or None
         The finest simulation until now.
     findings : Findings or None
-        The check of the job.
+        The check of the job; None until the check is finished.
     detail : Simulation or None
-        A finer simulation of a part of the stock.
+        A finer simulation of the part of the stock to which the user has zoomed.
     strategies : tuple of Strategy
-        Strategies of the operations.
+        The strategy of each operation.
     """
 
     def __init__(self, job: SimulatedJob, clock: Clock, bar: SceneBar) -> None:
@@ -54,7 +54,7 @@ class Drawing:
         self.detail: Simulation | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self._coloring: Callable[[], Coloring] = _uncolored
-        # Cache one result each, because turning the view draws the same moment many times.
+        # Keep the last result of both functions, because turning the view draws the same moment many times.
         self._field, self._colors = lru_cache(maxsize=1)(_field_of), lru_cache(maxsize=1)(_colors_of)
 
     @property
@@ -64,25 +64,25 @@ class Drawing:
 
     @property
     def removal(self) -> Simulated | Findings | None:
-        """The most exact removed volumes and air cuts."""
+        """The most exact source of removed volumes and air cuts: the check, or before it the finest simulation."""
         return self.findings or self.simulated
 
     def take(self, done: Simulated | Findings) -> None:
-        """Use the results of a finer simulation, or of the check."""
+        """Use the results of a finer simulation or of the check from now on."""
         if isinstance(done, Simulated):
             self.simulated = done
         else:
             self.findings = done
 
     def clear(self) -> None:
-        """Drop all results."""
+        """Release all results."""
         self.simulated = self.findings = self.detail = None
         self._coloring = _uncolored
         self._field.cache_clear()
         self._colors.cache_clear()
 
     def color(self) -> None:
-        """Update the colours of the surfaces."""
+        """Apply the chosen colouring to the surfaces."""
         if self.simulation is None:
             return
         job = Job(tuple(o.label for o in self.job.operations), self.strategies, self.clock, self.removal.volumes,
@@ -96,7 +96,7 @@ class Drawing:
         return bool(self.job.model_shapes) and not self.simulated.is_finest
 
     def picture(self, moment: Moment, frame: Frame, background: tuple[int, int, int]) -> Picture:
-        """Return the picture of a moment for the present choices, before it is drawn."""
+        """Return the picture of a moment, not yet drawn, as the user's settings in the controls require."""
         shown, chips = self.bar.chips.currentIndex(), None
         if shown != PART:
             cuts = self.clock.cuts
@@ -115,7 +115,10 @@ class Drawing:
         )
 
     def finest_for(self, frame: Frame) -> Simulation | None:
-        """Return the detail if it contains all that an image shows. Differences from the model need the whole stock."""
+        """Return the detail if it covers the whole image; otherwise the finest simulation of the whole stock.
+
+        The colouring by differences from the model needs the simulation of the whole stock.
+        """
         if self.detail is not None and not self.bar.compares:
             seen = seen_region(frame, self.job)
             if seen is not None and region_of(self.detail.zbuffer.frame).contains(seen):
@@ -123,7 +126,7 @@ class Drawing:
         return self.simulation
 
     def _section(self, frame: Frame) -> Section | None:
-        """Return the chosen section, which hides the stock between the section and the eye."""
+        """Return the chosen section, which hides the stock between the section and the viewer."""
         axis = self.bar.section.axis
         if axis is None:
             return None
@@ -135,7 +138,7 @@ class Drawing:
         return self.job.cuts[number].tool, tip
 
     def _paths(self, moment: Moment) -> tuple[np.ndarray, np.ndarray]:
-        """Return the tool's path in the present operation: before the shown moment (backwards), and after it."""
+        """Return the tool's path in the current operation before the moment (backwards), and after the moment."""
         source = self.clock.cuts.source(moment.last)
         points, at = self.clock.cuts.cuts[source.cut].toolpath.points, source.trajectory + (moment.done > 0)
         return points[at::-1], points[at:]
@@ -153,18 +156,18 @@ def _colors_of(simulation: Simulation, step: int, coloring: Coloring) -> np.ndar
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture to draw.
+    """A picture that is not yet drawn.
 
     Attributes
     ----------
     field, coloring : callable
-        Return the field at the moment, and the colouring.
+        Return the field (surfaces of the part) at the moment, and the colouring.
     colors : callable
-        Returns the colours of a colouring at the moment.
+        Returns the colours that a colouring gives to the surfaces at the moment.
     scene : callable
         Returns the coloured scene of a field in a frame.
     paths : tuple of (n, 3) ndarray
-        Paths to draw: the finished path, and the path to come; empty for none.
+        Paths to draw: the finished path, and the path to come; empty if no path is to be drawn.
     tool : tuple of Tool and (3,) ndarray
         The tool, and the position of its tip, mm.
     frame : Frame
@@ -180,7 +183,7 @@ class Picture:
     frame: Frame
 
     def draw(self, smoothness: int = 1) -> Drawn:
-        """Draw the picture, in any thread; each pixel is the mean of `smoothness` times `smoothness` pixels."""
+        """Draw the picture, in any thread. Each pixel is the mean of `smoothness` x `smoothness` smaller pixels."""
         coloring, size = self.coloring(), self.frame
         frame = replace(size, pixel=size.pixel / smoothness, width=size.width * smoothness,
                         height=size.height * smoothness)  # fmt: skip
@@ -214,13 +217,13 @@ def _uncolored() -> Coloring:
     return Coloring(palette(CUT), tuple)
 
 
-SMOOTH = 2  # each pixel of a smooth picture is the mean of SMOOTH x SMOOTH pixels
+SMOOTH = 2  # each pixel of a smooth picture is the mean of SMOOTH x SMOOTH smaller pixels
 _REST = 150  # ms without a change after which the picture is drawn smoothly
-_LOOK = 3  # ms between two checks whether a picture was drawn
+_LOOK = 3  # ms between two checks whether the background thread has drawn a picture
 
 
 class Pictures(QObject):
-    """Shows the picture of the moment, updates it after each change, and smooths it when it rests.
+    """Shows the picture of the shown moment, draws it again after each change, and smoothly after a pause.
 
     Parameters
     ----------
@@ -243,7 +246,7 @@ class Pictures(QObject):
         self._background = Background(self, _LOOK)
         self._smoothing = Background(self, _LOOK)
         self._rest = single_shot(self._smooth, self, _REST)
-        self._changed = False  # whether anything has changed since drawing of the last picture began
+        self._changed = False  # whether moment, view or settings have changed since the last picture was begun
         self._legend: Callable[[], Entries] | None = None  # the shown legend
 
     @property
@@ -252,13 +255,13 @@ class Pictures(QObject):
         return not (self._changed or self._background.works or self._rest.isActive() or self._smoothing.works)
 
     def draw(self) -> None:
-        """Redraw at the next `begin`, or after the picture that is being drawn."""
+        """Request a new picture. It is begun at the next call of `begin` at which no other picture is being drawn."""
         self._changed = True
         self._rest.stop()
         self._smoothing.give_up()
 
     def begin(self) -> None:
-        """Begin to draw a picture, if something has changed and no picture is being drawn."""
+        """Begin to draw a picture if one was requested and no other picture is being drawn."""
         if not self._changed or self._background.works:
             return
         self._changed = False
@@ -269,7 +272,7 @@ class Pictures(QObject):
         self.begun.emit()
 
     def show_now(self) -> None:
-        """Draw and show the smooth picture in the window's thread."""
+        """Draw and show the smooth picture in Qt's main thread."""
         self.end()
         self._changed = False
         picture = self._drawing.picture(self._moment, self._view.frame, self._view.background)
@@ -295,7 +298,7 @@ class Pictures(QObject):
         self.begin()
 
     def _smooth(self) -> None:
-        """Draw the picture again, smoothly."""
+        """Draw the shown picture again, smoothly."""
         picture = self._drawing.picture(self._moment, self._view.frame, self._view.background)
         self._smoothing.start("", lambda _: [picture.draw(SMOOTH)], self._show, self._report)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The player of a job: the part, the time line, and the controls."""
+"""The player of a simulated job: the image of the part, the time line, and the controls."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, 
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
-_PART = 120  # minimum height of the part's view, px; optional rows are hidden to leave this height
-_CLOSER = 400  # ms without a change of the view after which the visible part is simulated more finely
+_PART = 120  # minimum height of the part's image, px; optional rows are hidden if the image would be lower
+_CLOSER = 400  # ms without a change of the view after which the visible part of the stock is simulated more finely
 _TICK = 20  # ms between two updates
 
 
@@ -47,11 +47,11 @@ class Player(QWidget):
     moment : Moment
         The shown moment.
     known : KnownFaults
-        Faults for marks and results.
+        The faults that the marks in the tree and the results panel show.
     faults : list of Fault
-        Known faults at the chosen tolerance.
+        The faults at the tolerance that the user has chosen.
     asked : Signal
-        The user clicked on the part or chose a fault; the operation concerned is selected.
+        The user clicked on the part or chose a fault, and the operation that cut there is selected in the tree.
     """
 
     asked = Signal()
@@ -72,8 +72,8 @@ class Player(QWidget):
         self.known = KnownFaults(job, self.clock)
         self.measuring = Measuring(float(job.stock.upper[2]))
         self._asked: Surface | None = None
-        self._compared = False  # whether the worst differences from the model are listed
-        self._worst: Fault | None = None  # the difference to which the text and the ring refer
+        self._compared = False  # whether the largest differences from the model are listed
+        self._worst: Fault | None = None  # the difference from the model that the text and the ring show
         self._simulating: Simulating | None = None
         self._begin = single_shot(self.simulate, self)
         self._work, self._recognizing, self._judging = Background(self), Background(self), Background(self)
@@ -113,7 +113,7 @@ class Player(QWidget):
         return super().event(event)
 
     def _make_room(self) -> None:
-        """Show as many rows as fit, in the order of importance. FreeCAD's area ignores minimum heights."""
+        """Show as many optional rows as fit, the most important first. FreeCAD's tabs ignore minimum heights."""
         always = (self.scene_bar.controls, self.play_bar.controls, self.time_line)
         left = self.height() - _PART - sum(widget.sizeHint().height() + GAP for widget in always)
         bar = self.scene_bar
@@ -159,14 +159,14 @@ class Player(QWidget):
         return self._about(user().time(seconds))
 
     def _about(self, time: str) -> str:
-        """Return a time as text, with "about" if some speeds are unknown."""
+        """Return a machining time as text, with "about" if the speeds of some moves are unknown."""
         return time if self.clock.complete else translate("Vk_Simulate", "about {}").format(time)
 
     # Simulating
 
     @property
     def is_busy(self) -> bool:
-        """Whether a finer simulation, the strategies or the faults are still being computed."""
+        """Whether simulations, strategies or faults are still being computed."""
         return self.refines or self._recognizing.works or self._judging.works
 
     @property
@@ -175,19 +175,19 @@ class Player(QWidget):
         return self._work.works or self._begin.isActive()
 
     def _sized(self) -> None:
-        """Simulate when the first sizes of the part are settled. Later sizes do not need a new simulation."""
+        """Simulate when the image of the part has its first size. A later change of size needs no new simulation."""
         if self._simulating is None:
             self._begin.start()
 
     def simulate(self) -> None:
-        """Simulate the job, coarsely first, with as many rays as the picture has pixels."""
+        """Simulate the job: first coarsely, then with as many rays as the image has pixels."""
         chosen, view = preferences.read(), self.view.view
         budgets = Budgets(chosen.memory_budget_bytes, chosen.time_budget)
         self._simulating = Simulating(self.job, view.width * view.height, budgets, known_speed())
         self._work.start("", self._simulating, self._take, self._ended)
 
     def end(self) -> None:
-        """Stop all work and release large data, because Qt and Python can keep a closed tab until FreeCAD ends."""
+        """Stop all work and release large data. Qt and Python can keep a closed tab in memory until FreeCAD ends."""
         self._timer.stop()
         self._work.give_up()
         self._recognizing.give_up()
@@ -252,7 +252,7 @@ class Player(QWidget):
             self.state.show_error(error)
 
     def _judge(self) -> None:
-        """List the faults, and the worst differences from the model; both depend on the tolerance."""
+        """List the faults and, if requested, the largest differences from the model, at the chosen tolerance."""
         findings = self.drawing.findings
         if findings is not None:
             work = partial(judge, findings, self.scene_bar.tolerance_mm, self.scene_bar.compares)
@@ -270,7 +270,7 @@ class Player(QWidget):
         self.known.keep(judged.proved, self.drawing.findings.facts.verdict)
 
     def _show_worst(self, differences: list[Fault]) -> None:
-        """Show the place and the text of the largest difference from the model."""
+        """Show the largest difference from the model: a ring at its place, and its text."""
         if differences:
             self._worst = max(differences, key=lambda fault: fault.what.arguments["depth"])
             self.view.show_place(self._worst.place)
@@ -294,7 +294,7 @@ class Player(QWidget):
         self.pictures.draw()
 
     def _recolor(self) -> None:
-        """Use another colouring or tolerance."""
+        """Apply the chosen colouring and tolerance."""
         if self._worst is not None:
             self._worst = None
             self.view.show_place(None)
@@ -312,7 +312,7 @@ class Player(QWidget):
         self.play_bar.text.show_text(text if self._worst is None else self.known.text_with_place(self._worst))
 
     def _moment_text(self) -> str:
-        """Return the time, the command and its removed volume as text."""
+        """Return the shown time, the command at this time and the volume that it removes, as text."""
         moment, source = self.moment, self.clock.cuts.source(self.moment.last)
         text = translate("Vk_Simulate", "{} of {}   {}, command {}: {}").format(
             self._about(_clock(moment.seconds)), _clock(self.clock.total), self.job.operations[source.cut].label,
@@ -329,7 +329,7 @@ class Player(QWidget):
     # Requests of the user
 
     def look(self, name: str | None) -> None:
-        """Look from a standard direction of FreeCAD, or from the direction of the 3D view."""
+        """Show the part from a standard direction of FreeCAD; if `name` is None, as in the 3D view."""
         if name is not None:
             self.view.look(preferences.DIRECTIONS[name])
             return
@@ -338,7 +338,10 @@ class Player(QWidget):
             self.view.look(direction_of(view.getCameraOrientation().Q))
 
     def point(self, fault: Fault) -> None:
-        """Show the moment of a fault, or the finished part, with a ring around the place."""
+        """Show the part just after a fault has happened, with a ring around the fault.
+
+        Show the finished part if the fault is leftover material or missing stock.
+        """
         if fault.of_finished_part or fault.trajectory is None:
             self.moment.go_to(self.clock.total)
         else:
@@ -348,7 +351,11 @@ class Player(QWidget):
             self._select(fault.cut)
 
     def ask(self, surface: Surface) -> None:
-        """Measure a surface; or go to the moment at which it was made, and select its operation."""
+        """Respond to a click on a surface.
+
+        Measure it if the user is measuring. Otherwise go to the moment at which the surface was made, and select the
+        operation that made it.
+        """
         if self.simulation is None:  # the shown scene comes from reading the job
             return
         if self.scene_bar.measure.isChecked():
@@ -364,7 +371,7 @@ class Player(QWidget):
             self._select(self.clock.cuts.source(surface.owner).cut)
 
     def _measure(self, point: np.ndarray | None = None) -> None:
-        """Measure a point, or begin or end measuring."""
+        """Measure a point; without a point, remove the measured points."""
         self.measuring.points = () if point is None else self.measuring.points
         if point is not None:
             self.measuring.add(point)
@@ -372,13 +379,13 @@ class Player(QWidget):
         self._show_text()
 
     def end_measuring(self) -> bool:
-        """End measuring, and return whether the user was measuring."""
+        """End the measuring mode, and return whether it was active."""
         measures = self.scene_bar.measure.isChecked()
         self.scene_bar.measure.setChecked(False)
         return measures
 
     def _move_section(self) -> None:
-        """Show the section at its new place."""
+        """Show the section at the position of its slider."""
         section, stock = self.scene_bar.section, self.job.stock
         if section.axis is not None:
             low, high = stock.lower[section.axis], stock.upper[section.axis]

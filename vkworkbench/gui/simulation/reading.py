@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read a job: copy its operations between events, linearise them in a thread, and show a preview."""
+"""Read a job: copy its operations between Qt's events, linearise their arcs in a thread, and show a preview."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from vkworkbench.language import Unusable
 
 _PREVIEW = 120  # longer side of the preview, pixels
 _FIRST = 0.3  # s until the first preview
-_PAUSE = 3.0  # time between previews, as a multiple of the time for a preview
+_PAUSE = 3.0  # time between two previews, as a multiple of the time that a preview takes
 
 
 class Reading(QWidget):
@@ -36,11 +36,11 @@ class Reading(QWidget):
     Attributes
     ----------
     view : PartView or None
-        None before the first preview.
+        The widget with the preview; None before the first preview.
     seen : Scene and Frame, or None
         The shown preview.
     read : Signal of SimulatedJob
-        The job was read.
+        The whole job was read.
     failed : Signal of Exception
         Reading ended with `Cancelled`, `Unusable` or an error.
     """
@@ -68,7 +68,7 @@ class Reading(QWidget):
         self._background.give_up()
 
     def _copy_on(self) -> None:
-        """Copy an operation, then return to the event loop."""
+        """Copy one operation, then return to Qt's event loop before the next operation."""
         if not self._background.works:
             return
         try:
@@ -88,7 +88,7 @@ class Reading(QWidget):
             cuts.append(cut)
             begin = time.perf_counter()
             if begin >= due and len(cuts) < len(self.copy.names):
-                with suppress(Unusable):  # there is no toolpath yet, or too little memory
+                with suppress(Unusable):  # the operations read so far have no toolpath, or there is too little memory
                     yield _preview(self.copy.job(cuts), self._budget, going_on)
                 due = time.perf_counter() + _PAUSE * (time.perf_counter() - begin)
 
@@ -124,5 +124,5 @@ class Reading(QWidget):
 def _preview(job: SimulatedJob, memory_budget: float, going_on: Callable[[], None]) -> Simulation:
     """Return a coarse simulation of a job from above."""
     done = simulate_read(job, View(ABOVE, _PREVIEW, _PREVIEW), memory_budget, lambda _: going_on())
-    done.zbuffer.picture  # noqa: B018 - computed here and not in the window's thread
+    done.zbuffer.picture  # noqa: B018 - computed here and not in Qt's main thread
     return done

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulate a job along the tool axis: coarsely at once, then with a ray for each pixel, and check it."""
+"""Simulate a job along the tool axis: first coarsely, then with one ray for each pixel; then check the job."""
 
 from __future__ import annotations
 
@@ -32,14 +32,16 @@ from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation, coarser, simulate_read
 from vkworkbench.language import Message, Unusable
 
-# Direction along the tool axis. Pictures from all other directions are drawn from a simulation in this direction.
+# Direction of the rays, along the tool axis. Pictures from all directions are drawn from a simulation with these rays.
 ABOVE = (0.0, 0.0, -1.0)
-# Minimum vertical component of the view's unit direction for details. A flatter view shows most of the stock.
+# Minimum vertical component of the view's unit direction, for which a detail is simulated. A flatter view shows most of
+# the stock, so that a detail would not be finer than the whole.
 _FLATTEST = 0.2
-# Largest pixel of a detail, as a share of the pixel of the shown simulation. Number of cells around the visible part.
+# A detail is simulated only if the size of its pixels is at most this share of the shown simulation's. The second
+# number is the width of the margin around the visible part of the stock, in pixels of the detail.
 _FINER, _MARGIN = 0.7, 3
-# Rays of the coarse image, as a share of the finest image's rays. Minimum number of rays, so that the part is
-# recognisable.
+# Number of rays of the coarse simulation, as a share of the rays of the finest simulation. The second number is the
+# minimum number of rays of every simulation: with fewer rays the part cannot be recognised.
 _COARSE, _FEWEST = 1 / 25, 2000
 
 
@@ -53,9 +55,9 @@ class Simulated:
     volumes : (n,) float64
         Removed volume of each trajectory, mm^3.
     air : (n,) bool
-        Feed moves that remove nothing.
+        Whether a trajectory is a feed move that removes nothing.
     seen : SeenModel or None
-        The model from above; None if unknown, or for the coarse simulation.
+        The model, seen from above; None without a model, and for the coarse simulation.
     is_finest : bool
         Whether no finer simulation follows.
     seconds : float
@@ -72,7 +74,9 @@ class Simulated:
 
 @dataclass(frozen=True, eq=False)
 class Findings:
-    """The check of a job, from its own simulation along the tool axis. The check does not depend on pictures.
+    """The results of the check of a job.
+
+    The check has its own simulation along the tool axis, so that its results do not depend on the size of the window.
 
     Attributes
     ----------
@@ -96,14 +100,14 @@ class Findings:
 
 
 class Budgets(NamedTuple):
-    """The largest memory, bytes, and the longest time, s, of a simulation."""
+    """Upper bounds for the memory, bytes, and for the computing time, s, of a simulation."""
 
     memory: float
     time: float
 
 
 class Simulating:
-    """Simulates a job coarsely, then finely, and checks it; the work of a `Background`.
+    """Simulates a job first coarsely, then finely, and then checks it. A `Background` calls this object in its thread.
 
     Parameters
     ----------
@@ -111,16 +115,16 @@ class Simulating:
     rays : int
         Number of rays of the finest image.
     budgets : Budgets
-        Limits of the finest simulation.
+        Upper bounds for the finest simulation.
     speed : Speed
         Speed of this computer.
 
     Attributes
     ----------
     share : float
-        Completed share of the present simulation.
+        Completed share of the running simulation, 0 to 1.
     checks : bool
-        Whether the present simulation is the check.
+        Whether the running simulation belongs to the check.
     expected : Estimate or None
         The expected cost of the finest simulation; None until it is known.
     """
@@ -133,12 +137,12 @@ class Simulating:
         self._began = time.perf_counter()
 
     def __call__(self, going_on: Callable[[], None]) -> Iterator[Simulated | Findings]:
-        """Yield the coarse simulation, the finest simulation, and the findings.
+        """Yield the coarse simulation, the finest simulation, and the findings of the check.
 
         Raises
         ------
         Unusable
-            At the end, if the time budget only allows a coarser image than requested. The message says so.
+            After all results, if the time budget allowed only a coarser image than requested.
         """
         yield self._simulate(self._view(_COARSE * self._rays), False, going_on)
         view = finest = self._view(self._rays)
@@ -162,7 +166,7 @@ class Simulating:
             raise Unusable(Message("picture-in-time", allowed=self.budgets.time))
 
     def _view(self, rays: float) -> View:
-        """Return an image of the whole stock with about this number of rays."""
+        """Return a view of the whole stock from above, with about this number of rays."""
         width, depth = (self.job.stock.upper - self.job.stock.lower)[:2]
         pixel = np.sqrt(width * depth / max(rays, _FEWEST))
         return View(ABOVE, *(max(1, round(float(side / pixel))) for side in (width, depth)))
@@ -170,7 +174,7 @@ class Simulating:
     def _simulate(self, view: View, is_finest: bool, going_on: Callable[[], None]) -> Simulated:
         done = simulate_read(self.job, view, self.budgets.memory, self._reported(going_on))
         zbuffer = done.zbuffer
-        zbuffer.surface.prepare()  # computed now, so that the window's thread does not have to
+        zbuffer.surface.prepare()  # here, so that Qt's main thread does not have to compute it
         model = self.job.model if is_finest else None
         seen = None if model is None else SeenModel(model, zbuffer.frame, going_on)
         seconds = time.perf_counter() - self._began
@@ -192,18 +196,21 @@ class Simulating:
 
 
 class Region(NamedTuple):
-    """A rectangle along X and Y: its corners, (2,) mm."""
+    """A rectangle in the XY plane, given by its lower and upper corner, (2,) mm each."""
 
     low: np.ndarray
     high: np.ndarray
 
     def contains(self, other: Region) -> bool:
-        """Return whether another rectangle is inside this rectangle."""
+        """Return whether the rectangle `other` is inside this rectangle."""
         return bool((self.low <= other.low).all() and (self.high >= other.high).all())
 
 
 def seen_region(frame: Frame, job: SimulatedJob) -> Region | None:
-    """Return the part of the stock that an image can show; None without stock, or if the view is too flat."""
+    """Return the part of the stock that an image can show.
+
+    Return None if the image shows no stock, or if the view is too flat for a detail.
+    """
     if abs(frame.direction[2]) < _FLATTEST:
         return None
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
@@ -219,20 +226,20 @@ def seen_region(frame: Frame, job: SimulatedJob) -> Region | None:
 
 
 def region_of(frame: Frame) -> Region:
-    """Return the rectangle of an image from above."""
+    """Return the rectangle that an image from above covers."""
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
     return Region(frame.centre[:2] - half, frame.centre[:2] + half)
 
 
 def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
-    """Return a view from above of the stock that an image shows; None if the view would not be finer.
+    """Return a view from above of the part of the stock that an image shows; None if it would not be finer.
 
     Parameters
     ----------
     frame : Frame
         Frame of the image.
     pixel : float
-        Pixel of the simulation of the whole stock, mm.
+        Size of the pixels of the shown simulation, mm.
     """
     seen = seen_region(frame, job)
     if seen is None:
@@ -249,7 +256,7 @@ def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
 def simulate_detail(
     job: SimulatedJob, view: View, memory: float
 ) -> Callable[[Callable[[], None]], Iterator[Simulation]]:
-    """Return the work of a `Background` that simulates a detail."""
+    """Return a function that simulates a detail in the thread of a `Background`."""
 
     def work(going_on: Callable[[], None]) -> Iterator[Simulation]:
         done = simulate_read(job, view, memory, lambda _: going_on())

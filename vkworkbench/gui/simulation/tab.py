@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tab of a simulation: reads the job, shows the player, and follows changes of the document."""
+"""The tab of a simulation: it reads the job, then shows the player, and reacts to changes of the document."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from vkworkbench.report import Cancelled
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
 _ON_SETTING = freecad.names_in_fingerprint("setting")
-_SELECTED = 1000  # ms in which FreeCAD reacts to a selection
+_SELECTED = 1000  # ms after a selection within which FreeCAD can bring its 3D view to the front
 _ENDED = 1000  # ms after which the threads of a closed tab have usually ended
 
 
 class SimulationTab(KeyedWidget):
-    """Shows the simulation of a job after reading the job.
+    """Reads a job, and then shows its simulation.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ class SimulationTab(KeyedWidget):
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(4, 4, 4, 4)
         self._layout.addWidget(self.again)
-        self._changed: set[str] = set()  # operations whose path could have changed after the copy
+        self._changed: set[str] = set()  # operations whose path has possibly changed since the job was copied
         self._soon = single_shot(lambda: idle.work(self._comparing()), self)
         self._asked = QTimer(self)
         self._asked.setSingleShot(True)
@@ -100,7 +100,7 @@ class SimulationTab(KeyedWidget):
     # The tab
 
     def _leave(self) -> None:
-        """End measuring, or close the tab."""
+        """End measuring; close the tab if the user is not measuring."""
         if self.player is None or not self.player.end_measuring():
             self.window_of().close()
 
@@ -110,7 +110,7 @@ class SimulationTab(KeyedWidget):
         widgets.area_of_views().setActiveSubWindow(self.window_of())
 
     def _stay_in_front(self) -> None:
-        """Return to the front if FreeCAD 1.1 shows the 3D view because of a selection that the user made here."""
+        """Bring this tab to the front if FreeCAD 1.1 has shown the 3D view because of a selection made in this tab."""
         if self._asked.isActive():
             QTimer.singleShot(0, self.come_to_front)
 
@@ -123,13 +123,13 @@ class SimulationTab(KeyedWidget):
         QTimer.singleShot(0, self._take_focus)
 
     def _take_focus(self) -> None:
-        """Give the focus to the time line, because Qt gives it to the first button."""
+        """Move the keyboard focus from the first button, where Qt has put it, to the time line."""
         focused = self.focusWidget()
         if focused is not None and focused.hasFocus():
             self.setFocus()
 
     def paintEvent(self, event) -> None:
-        """Paint the background. Otherwise other tabs are visible behind this tab with FreeCAD 0.20's style sheets."""
+        """Paint the background, because other tabs are visible through this tab with FreeCAD 0.20's style sheets."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), Gui.getMainWindow().palette().window())
         painter.end()
@@ -168,8 +168,8 @@ class SimulationTab(KeyedWidget):
             QTimer.singleShot(0, self.window_of().close)
 
     def _compare(self) -> None:
-        """Compare the document with the simulated job soon. Before that, marks and results do not show the faults."""
-        if self.player is not None:  # a job that is still being read is compared afterwards
+        """Compare the document with the simulated job soon. Until then, marks and results panel show no faults."""
+        if self.player is not None:  # otherwise the job is compared as soon as it has been read
             self.player.known.follow(False)
             self._soon.start()
 
@@ -177,6 +177,6 @@ class SimulationTab(KeyedWidget):
         if not self._open:
             return
         holds = yield from self.copy.comparing(self._changed)
-        if self._open and not self._soon.isActive():  # the document did not change meanwhile
+        if self._open and not self._soon.isActive():  # the document did not change during the comparison
             self.again.setVisible(not holds)
             self.player.known.follow(holds)

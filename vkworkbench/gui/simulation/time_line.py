@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The time line: operations by machining time, the removal rate, air cuts and faults."""
+"""The time line: operations, removal rate, air cuts and faults over the machining time of a job."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ from vkworkbench.gui.qt.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.widgets import KeyedWidget
 
-_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to bottom; the curve shrinks if room is short
+_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to bottom; a low widget has a lower curve
 _MIN_CURVE = 12  # minimum height of the curve, px
 _MARK = 5.0  # px; half the width of a warning triangle
-_APART = 5  # px; minimum mean width of trajectories that are separated by lines
+_APART = 5  # px; lines separate the trajectories if their mean width is larger than this
 _ZOOM = 1.4  # factor for each notch of the wheel
 _MAX_WARNINGS = 10  # upper limit for the number of warnings in a tooltip
-_MIN_SPAN = 1e-6  # smallest visible share of the job's time
+_MIN_SPAN = 1e-6  # smallest time range to which the user can zoom, as a share of the job's time
 # Step of each key, as a share of the job's time.
 _KEYS = {
     int(Qt.Key_Left): -0.005, int(Qt.Key_Right): 0.005, int(Qt.Key_PageUp): 0.05, int(Qt.Key_PageDown): -0.05,
@@ -68,13 +68,14 @@ class Block:
 
 @dataclass(frozen=True)
 class Warned:
-    """A warning at a moment.
+    """A warning on the time line.
 
     Attributes
     ----------
     seconds : float
+        Machining time at which the fault happens.
     text : callable
-        Returns plain text. A function, because the user reads few of many texts.
+        Returns the text of the warning, made on request because few of many warnings are read.
     color : str
         ``"#rrggbb"``.
     """
@@ -85,14 +86,14 @@ class Warned:
 
 
 class TimeLine(KeyedWidget):
-    """Shows a job, or a part of it, over the machine's time. The user chooses a moment with mouse or keys.
+    """Shows a job, or a part of it, over its machining time. The user chooses a moment with the mouse or with keys.
 
     Attributes
     ----------
     moved : Signal of float
-        The user moved to a moment, s.
+        The user dragged to a moment, or chose it with a key, s.
     clicked : Signal of float
-        The user clicked at a moment, s.
+        The user clicked on a moment without dragging, s.
     """
 
     moved, clicked = Signal(float), Signal(float)
@@ -124,7 +125,7 @@ class TimeLine(KeyedWidget):
         self.update()
 
     def show_facts(self, ends: np.ndarray, volumes: np.ndarray, air: np.ndarray, warned: tuple[Warned, ...]) -> None:
-        """Show removal rate, air cuts and warnings.
+        """Show the removal rate, the air cuts and the warnings.
 
         Parameters
         ----------
@@ -133,7 +134,7 @@ class TimeLine(KeyedWidget):
         volumes : (n,) float64
             Removed volume of each trajectory, mm^3.
         air : (n,) bool
-            Trajectories that cut air.
+            Whether each trajectory cuts air only.
         warned : tuple of Warned
         """
         self._ends, self._volumes, self._air = ends, volumes, air
@@ -141,7 +142,7 @@ class TimeLine(KeyedWidget):
         self.update()
 
     def show_moment(self, seconds: float) -> None:
-        """Show the present moment, s."""
+        """Show the line at the shown moment, s."""
         self.seconds = seconds
         if not self._begin <= seconds <= self._end:
             self._see(seconds - self._span / 2, self._span)
@@ -152,7 +153,7 @@ class TimeLine(KeyedWidget):
         return self._end - self._begin
 
     def _see(self, begin: float, span: float) -> None:
-        """Show a range of time, s, within the job's time."""
+        """Show a time range, s, shifted and shortened so that it lies within the job's time."""
         span = min(span, self.total)
         self._begin = min(max(begin, 0.0), self.total - span)
         self._end = self._begin + span
@@ -180,7 +181,7 @@ class TimeLine(KeyedWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # end now, because the traceback of an error would keep the painter alive
+            painter.end()  # otherwise the traceback of an error keeps the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -216,7 +217,7 @@ class TimeLine(KeyedWidget):
             painter.drawRect(QRectF(0.5, 0.5, self.width() - 1, self.height() - 1))
 
     def _paint_curve(self, painter: QPainter, text: QColor) -> None:
-        """Paint the removal rate, and the air cuts below it."""
+        """Paint the curve of the removal rate, and below it the air cuts."""
         if not len(self._volumes) or not self.total:
             return
         height = self._curve_height
@@ -231,7 +232,7 @@ class TimeLine(KeyedWidget):
         painter.drawPolygon(curve)
         hatch = QColor("#e0a030")
         first, last = np.searchsorted(self._ends, (self._begin, self._end))
-        if last - first < self.width() / _APART:  # trajectories are wide enough to separate
+        if last - first < self.width() / _APART:
             painter.setPen(QPen(text, 1))
             for end in self._ends[first:last].tolist():
                 painter.drawLine(QPointF(self.x_of(end), height), QPointF(self.x_of(end), height + _AIR))
@@ -241,7 +242,7 @@ class TimeLine(KeyedWidget):
             painter.fillRect(QRectF(x, height, 1, _AIR), hatch)
 
     def _by_column(self, width: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the removed volume, and the share of time of air cuts, for each column of pixels."""
+        """Return the removed volume and the share of time spent on air cuts, for each column of pixels."""
         edges = np.linspace(self._begin, self._end, width + 1)
         removed = np.diff(np.interp(edges, self._ends, np.append(0, np.cumsum(self._volumes))))
         air = np.where(self._air, np.diff(self._ends), 0.0)
@@ -280,14 +281,14 @@ class TimeLine(KeyedWidget):
             self._pressed = None
 
     def wheelEvent(self, event) -> None:
-        """Zoom, and keep the moment under the pointer at its place."""
+        """Zoom around the moment under the mouse pointer."""
         at = self.seconds_at(event.position().x())
         span = max(self._span * _ZOOM ** (-event.angleDelta().y() / 120), self.total * _MIN_SPAN)
         self._see(at - (at - self._begin) / self._span * span if self._span else 0.0, span)
 
 
 def _area(rate: np.ndarray, height: int) -> QPolygonF:
-    """Return the area below a curve; `rate` has one value for each column of pixels."""
+    """Return the area below the curve of the removal rate; `rate` has one value for each column of pixels."""
     tops = height - rate / max(rate.max(initial=0.0), 1e-300) * (height - 4)
     sides = QPointF(0, height), QPointF(len(tops), height)
     return QPolygonF([sides[0], *(QPointF(x, y) for x, y in enumerate(tops.tolist())), sides[1]])

@@ -31,11 +31,14 @@ from vkworkbench.language import Message, Unusable
 
 
 class KeyedWidget(QWidget):
-    """A widget with keys. A key calls its function if the widget, or a child that ignores the key, has the focus.
+    """A widget with its own keyboard shortcuts.
+
+    A shortcut works if the widget, or a child that ignores the key, has the keyboard focus.
 
     Attributes
     ----------
     keys : dict of int to callable
+        The function that each key calls.
     """
 
     keys: dict[int, Callable[[], object]]
@@ -58,8 +61,8 @@ class KeyedWidget(QWidget):
 
 
 PLAY, PAUSE = "play", "pause"
-# Lines of the symbols in a square from -1 to 1: three kinds of steps, play and pause. Closed lines are filled. Steps
-# back are mirror images.
+# Lines of the symbols for three kinds of steps, for play and for pause, in a square from -1 to 1. Closed lines are
+# filled. The symbols for steps back are mirror images of the symbols for steps forward.
 _CHEVRON = [(-0.3, -0.6), (0.3, 0.0), (-0.3, 0.6)]
 _TRIANGLE = [(-0.6, -0.7), (0.6, 0.0), (-0.6, 0.7), (-0.6, -0.7)]
 _LINES = {
@@ -72,12 +75,12 @@ _LINES = {
 
 
 class SymbolButton(QToolButton):
-    """A button with a symbol in the colour of the theme's text. The icons of Qt's styles suit light themes only.
+    """A button with a symbol in the text colour of the theme. The icons of Qt's styles suit only light themes.
 
     Attributes
     ----------
     symbol : int or str
-        Kind of step, negative for back; `PLAY` or `PAUSE`.
+        Kind of step (1, 2, 3; negative for a step back), `PLAY` or `PAUSE`.
     """
 
     def __init__(self, symbol: int | str, parent: QWidget | None = None) -> None:
@@ -85,7 +88,7 @@ class SymbolButton(QToolButton):
         self.symbol = symbol
 
     def show_symbol(self, symbol: int | str) -> None:
-        """Show another symbol."""
+        """Show another symbol on the button."""
         self.symbol = symbol
         self.update()
 
@@ -109,7 +112,7 @@ class SymbolButton(QToolButton):
         painter.end()
 
 
-_GAP = 12  # px between two entries
+_GAP = 12  # px between two entries of the legend
 _BESIDE = 4  # px between a colour and its name
 _MAX_NAMES = 12
 
@@ -120,7 +123,8 @@ class Legend(QWidget):
     Attributes
     ----------
     entries : tuple of (str, str)
-        Colours and their meanings. In a scale only the ends have names, and its colours stay close together in one line.
+        Colours and their names. Consecutive colours without a name belong to a scale and are drawn without gaps in one
+        line, with the next colour that has a name.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -130,7 +134,7 @@ class Legend(QWidget):
         self._fit()
 
     def show_entries(self, entries: tuple[tuple[str, str], ...]) -> None:
-        """Show other entries."""
+        """Show other entries in the legend."""
         if entries != self.entries:
             self.entries = entries
             self.setToolTip(as_html("\n".join(name for _, name in entries if name)))
@@ -166,12 +170,12 @@ class Legend(QWidget):
         return round(0.7 * self.fontMetrics().height())
 
     def _fit(self) -> None:
-        """Set the height to the number of lines."""
+        """Set the height of the legend to the height of its lines."""
         lines = max((place.bottom() for _, place, _ in self._places()), default=0)
         self.setFixedHeight(max(round(lines), self._line))  # at least as high as one line
 
     def _places(self) -> list[tuple[str, QRectF, str]]:
-        """Return each colour with its rectangle and its name, shortened to fit."""
+        """Return each colour with the rectangle of its entry and its name, shortened to the width of the legend."""
         metrics, side = self.fontMetrics(), self._side
         height, width = self._line, max(self.width(), 4 * side)
         places, nameless, x, y, named = [], 0, 0.0, 0.0, 0
@@ -195,14 +199,17 @@ class Legend(QWidget):
 
 
 class StateLine(OneLine):
-    """A line with the verdict on the job and the state of the simulation. The tooltip has the cost of the simulation, too."""
+    """A line that shows the verdict on the job and the progress of the simulation.
+
+    The tooltip of the line shows also the size and the cost of the simulation.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._verdict, self._cost = sentence(PENDING.message(())), ""
 
     def show_progress(self, simulating: Simulating) -> None:
-        """Show the progress, and the expected cost of the finest simulation."""
+        """Show the progress in the line, and the expected cost of the finest simulation in the tooltip or the line."""
         working, cost = translate("Vk_Simulate", "Simulating… {}"), ""
         if simulating.checks:
             working = translate("Vk_Simulate", "Checking… {}")
@@ -213,7 +220,7 @@ class StateLine(OneLine):
         self._say(working.format(user().share(simulating.share)), cost)
 
     def show_simulated(self, done: Simulated) -> None:
-        """Add size and cost of a simulation to the tooltip."""
+        """Set the size and the cost of a simulation, which the tooltip shows from the next text on."""
         zbuffer = done.simulation.zbuffer
         self._cost = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
             user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),
@@ -222,7 +229,7 @@ class StateLine(OneLine):
         )  # fmt: skip
 
     def show_verdict(self, verdict: Message) -> None:
-        """Show the verdict on the job."""
+        """Set the verdict on the job, with which all following texts begin."""
         self._verdict = sentence(verdict)
 
     def show_end(self, remarks: tuple[Message, ...], error: Exception | None) -> None:
@@ -230,7 +237,7 @@ class StateLine(OneLine):
         self._say(*map(sentence, remarks), *([error_text(error)] if error else []))
 
     def show_error(self, error: Exception) -> None:
-        """Show an error."""
+        """Show the text of an error after the verdict."""
         self._say(error_text(error))
 
     def _say(self, *texts: str) -> None:
@@ -240,7 +247,7 @@ class StateLine(OneLine):
 
 
 def error_text(error: Exception) -> str:
-    """Return the text of an error that ended the work."""
+    """Return the text of an error for the user. Log the traceback of an unexpected error."""
     if isinstance(error, Unusable):
         return sentence(error.what)
     FreeCAD.Console.PrintLog("".join(traceback.format_exception(type(error), error, error.__traceback__)))

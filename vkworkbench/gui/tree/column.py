@@ -15,14 +15,16 @@ from vkworkbench.gui.qt.names import QEvent, QHeaderView, QObject, Qt, QTabWidge
 
 DESCRIPTION = 1
 _TREE_PREFERENCES = "User parameter:BaseApp/Preferences/TreeView"
-# Widths in line heights of the tree's font. 36 lines are about 500 px; with FreeCAD's default of 260 px the column is
-# not visible.
+# Width of the tree's dock, and maximum width of the column with names, as multiples of the line height in the tree. 36
+# line heights are about 500 px; in FreeCAD's default width of 260 px the Description column is not visible.
 _DOCK_WIDTH = 36
 _NAMES_WIDTH = 18
-_LIMITED = "VkNamesBound"  # property of a tree whose first column no longer follows its contents
-_MAX_SHARE = 0.45  # largest width of the dock as a share of the window's, to leave room for the 3D view
+_LIMITED = "VkNamesBound"  # Qt property of a tree whose first column has a fixed width instead of an automatic width
+_MAX_SHARE = (
+    0.45  # maximum width of the dock, as a share of the window's width; a wider dock leaves the 3D view too little
+)
 
-_trees: list[QTreeView] = []  # references that keep the wrappers of the trees' children alive
+_trees: list[QTreeView] = []  # references that keep the Python wrappers of the trees' children alive
 
 
 def trees() -> list[QTreeView]:
@@ -37,7 +39,7 @@ class _Sight(QObject):
     def __init__(self, work: Callable[[], object]) -> None:
         super().__init__(Gui.getMainWindow())
         self._work = work
-        self._seen = single_shot(self._do, self)  # delayed until the tree's dock has its size
+        self._seen = single_shot(self._do, self)  # delayed until the dock of the tree has its final size
         for view in trees():
             view.viewport().installEventFilter(self)
 
@@ -67,7 +69,7 @@ def when_seen(work: Callable[[], object]) -> None:
 
 
 def show_description() -> None:
-    """Show the Description column, wide enough to read."""
+    """Show the Description column, and widen the dock of the tree so that the column can be read."""
     preferences = FreeCAD.ParamGet(_TREE_PREFERENCES)
     # FreeCAD before 1.0 has no such preference and always shows the column.
     if freecad.version() >= freecad.DESCRIPTION_HIDDEN_SINCE and preferences.GetBool("HideColumn", True):
@@ -87,7 +89,7 @@ def show_description() -> None:
 
 
 def bring_to_view() -> None:
-    """Bring a tree in front of other tabs. Does nothing while a task is being edited, or if the dock is closed."""
+    """Bring FreeCAD's tree in front of other tabs, unless a task dialog is open or the tree's dock is closed."""
     if Gui.Control.activeDialog() or any(map(is_seen, trees())):
         return
     for dock in widgets.docks():
@@ -111,8 +113,8 @@ def fit_description(least: int) -> None:
         precision = header.resizeContentsPrecision()
         for column in (0, DESCRIPTION):
             if header.sectionResizeMode(column) != QHeaderView.ResizeToContents:
-                # Use this precision only during this call. Otherwise automatic columns would follow the visible rows,
-                # which change with the scroll bar, and the layout would never end.
+                # Measure only the visible rows (precision 0), but only during this call. Otherwise columns with an
+                # automatic width would follow the visible rows, which change with the scroll bar, in an endless loop.
                 header.setResizeContentsPrecision(0)
                 tree.resizeColumnToContents(column)
                 header.setResizeContentsPrecision(precision)
@@ -122,7 +124,10 @@ def fit_description(least: int) -> None:
 
 
 def _limit_names(tree: QTreeView, least: int) -> None:
-    """Limit the column of names so that the Description gets `least` px, but leave the names their usual width."""
+    """Limit the width of the column with names so that the Description column gets `least` px.
+
+    The column with names keeps at least the width `_NAMES_WIDTH`, if the names need it.
+    """
     header, line = tree.header(), tree.fontMetrics().lineSpacing()
     most = max(tree.viewport().width() - least, _NAMES_WIDTH * line)
     if tree.sizeHintForColumn(0) > most:
@@ -136,7 +141,7 @@ def _limit_names(tree: QTreeView, least: int) -> None:
 
 
 def expand(label: str, document: str) -> None:
-    """Expand the job with this label, and its first branch, the operations."""
+    """Expand the job with this label in a document, and the first branch of the job, its operations."""
     for view in trees():
         model = view.model()
         for index in model.match(model.index(0, 0), Qt.DisplayRole, label, -1, Qt.MatchExactly | Qt.MatchRecursive):
@@ -150,7 +155,10 @@ def expand(label: str, document: str) -> None:
 
 @contextmanager
 def steady_columns():
-    """Prevent a new layout of the trees after each changed text, which takes 1 s for 200 marks in FreeCAD 1.x."""
+    """Context in which FreeCAD does not lay out its trees again after each changed text.
+
+    Without it, changing 200 marks takes 1 s longer in FreeCAD 1.x.
+    """
     views = trees()
     modes = [[view.header().sectionResizeMode(i) for i in range(view.header().count())] for view in views]
     uniform = [view.uniformRowHeights() for view in views]

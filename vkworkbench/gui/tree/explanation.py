@@ -15,7 +15,7 @@ from vkworkbench.report import is_switched_off
 
 
 def explanation(record: Record, chosen: Preferences) -> str:
-    """Return the explanation of a mark, as HTML without a paragraph."""
+    """Return the explanation of a mark in the tree, as HTML without a paragraph."""
     reasons = () if is_switched_off(record) else record.reason
     first, *rest = [*(plain_sentence(reason) for reason in reasons), _title(record)]
     texts = [f"<b>{lines(first)}</b>", *map(lines, rest)]
@@ -51,7 +51,7 @@ def _title(record: Record) -> str:
 
 def _machining(record: Record) -> str:
     length = user().length(record.length)
-    if not record.machining_seconds:  # a text "at least 0 s" is useless
+    if not record.machining_seconds:  # otherwise the text would be "at least 0 s"
         return translate("Pills", "Cutting length: {length}.").format(length=length)
     time = user().clock(record.machining_seconds)
     if record.left_out:
@@ -66,7 +66,7 @@ def _machining(record: Record) -> str:
 
 
 def _simulation(record: Record, name: str) -> str:
-    """Return time and memory of one simulator. A rough estimate of the time is shown with its range."""
+    """Return the text with the time and memory of one simulator. A rough estimate of the time has a range."""
     seconds, memory = record.cost(name)
     factor, reader = record.factor(name), user()
     time = reader.estimated_time(seconds, factor)

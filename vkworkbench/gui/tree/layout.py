@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lay out a mark in a cell of the tree.
+"""Lay out a mark (strategy, times and warning sign) in a cell of FreeCAD's tree.
 
-The strategy and the warning sign have the highest priority, then the time of the simulation, then the time on the machine.
-The other texts are shown as far as there is room.
+In a narrow cell the strategy and the warning sign have the highest priority, then the time of the simulation, then the
+time on the machine. Remarks and the user's own words are shown as far as there is room.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ from vkworkbench.preferences import Preferences
 from vkworkbench.report import is_switched_off
 
 _PADDING = 6  # px between the text of a pill and its left and right end
-_SPACE = "\u00a0"  # Qt neither stretches nor drops a no-break space
+_SPACE = "\u00a0"  # a no-break space, which Qt neither stretches nor drops
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A pill, an outlined pill or a sign, which is painted over a gap in the text.
+    """A pill (text on a rounded colour), an outlined pill or a sign, which is painted over a gap in the text.
 
     Attributes
     ----------
@@ -59,10 +59,10 @@ class Layout:
     Attributes
     ----------
     text : str
-        The text that the style paints, with gaps.
+        The text that Qt's style paints, with gaps for the pieces.
     pieces : list of Piece
     needed : int
-        Minimum width, px. Text beyond this width can be cut off.
+        Minimum width of the cell, px. The text beyond this width may be cut off.
     """
 
     def __init__(self, metrics) -> None:
@@ -70,10 +70,10 @@ class Layout:
         self._metrics = metrics
 
     def add(self, kind: str, text: str, color: str, ink: str = TEXT) -> None:
-        """Add a piece, and a gap for it in the text."""
+        """Add a piece, and a gap in the text over which the piece is painted."""
         self._part()
         left, metrics = self._metrics.horizontalAdvance(self.text), self._metrics
-        if kind == "outlined":  # the text has the usual colour, so the style paints it
+        if kind == "outlined":  # Qt's style paints the text, in the usual colour of texts
             padding = _SPACE * math.ceil(_PADDING / metrics.horizontalAdvance(_SPACE))
             self.text += f"{padding}{text}{padding}"
         else:
@@ -89,7 +89,7 @@ class Layout:
         self.needed = self._metrics.horizontalAdvance(self.text)
 
     def say_more(self, text: str) -> None:
-        """Add a text that the style shortens if room is short."""
+        """Add a text that Qt's style shortens if there is too little room."""
         if text:
             self._part()
             self.text += _SPACE + text
@@ -104,17 +104,17 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     Parameters
     ----------
     words : str
-        The user's own description, shown behind the mark.
+        The user's own description, shown to the right of the mark.
     metrics : QFontMetrics
     most_of_remark : int or None
-        Maximum number of characters of a remark; None for all.
+        Maximum number of characters of the remarks; None for no limit.
     """
     name = pill_text(record)
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
     remark = (
         "" if is_switched_off(record) else " ".join(map(sentence, record.remarks))
-    )  # the pill shows that the operation is switched off
+    )  # the pill already says that the operation is switched off
     if most_of_remark is not None:
         remark = remark[:most_of_remark]
     outdated = translate("Pills", "outdated") if record.outdated else ""
@@ -139,7 +139,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
 
 
 def _times(record: Record, chosen: Preferences) -> tuple[str, str, str, str]:
-    """Return the time on the machine, and three texts for the time of the simulation, the longest first."""
+    """Return the time on the machine, and three texts for the time of the simulation, the longest text first."""
     reader = user()
     machine = machine_time_of(record, reader)
     about, cost = time_of(record, chosen, reader), record.cost(chosen.simulator)
@@ -151,7 +151,7 @@ def _times(record: Record, chosen: Preferences) -> tuple[str, str, str, str]:
 
 
 def _is_error(record: Record) -> bool:
-    """Return whether an operation cannot be simulated."""
+    """Return whether a remark is an error: then the simulation time of the operation is unknown."""
     return any(level_of(remark, record) is Level.ERROR for remark in record.remarks)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Errors, warnings and notes on a marked operation, for the tree, its tooltips and the results panel."""
+"""Errors, warnings and notes on a marked operation, shown in the tree, in tooltips and in the results panel."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS, OperationReport, contradiction, is_switched_off
 
-# Codes of remarks that do not prevent an estimate of the costs. A remark whose code is in this set is always a warning.
+# Codes of remarks on problems that do not prevent an estimate of the simulation's cost. These remarks are warnings even
+# if the cost is unknown for another reason.
 _WITH_COSTS = frozenset({
     "beyond-travel", "coordinates-not-changed", "feeds-per-minute", "in-commands", "inches-as-millimetres", "no-job", "no-stock",
     "stock-as-box", "tool-simplified",
@@ -41,7 +42,7 @@ class Notice:
 
 
 def notices_of(record: Record, chosen: Preferences) -> list[Notice]:
-    """Return the notices of an operation or job, the most severe first. Warnings and errors get a sign in the tree."""
+    """Return the notices of an operation or a job, the most severe first. Warnings and errors have a sign."""
     return sorted(_notices(record, chosen), key=lambda notice: -notice.level)
 
 
@@ -51,7 +52,7 @@ def kind_of(found: OperationReport | Record) -> str:
 
 
 def level_of(remark: Message, record: Record) -> Level:
-    """Return the severity of a remark: an error if it is the reason why the costs of the operation are unknown."""
+    """Return the severity of a remark: an error if the cost of the operation's simulation is unknown because of it."""
     if is_switched_off(record):
         return Level.NOTE
     harmless = record.strategy is None or record.costs or remark.code in _WITH_COSTS

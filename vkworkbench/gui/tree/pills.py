@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Show marks as pills in the tree's Description column: the strategy on its colour, with the simulation time beside it.
+"""Show marks as pills in the tree's Description column: the strategy on its colour, and the simulation time beside it.
 
-A delegate without state paints the pills from the data of the marks. Therefore nothing has to be updated after a
-recompute, an undo, a renaming, a reopening or a change of preferences. The style still paints the text, in the colours
-of its theme, with gaps for the pills.
+A Qt delegate without state paints the pills from the data of the marks. Therefore the pills need no update after a
+recompute, an undo, a renaming, a reopening or a change of preferences. Qt's style still paints the text, in the colours
+of the theme, with gaps for the pills.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ from vkworkbench.gui.tree import column
 from vkworkbench.gui.tree.explanation import explanation
 from vkworkbench.gui.tree.layout import Layout, layouts
 
-_MARGINS = 16  # px; left and right margin of a cell's text together
+_MARGINS = 16  # px; sum of the left and right margin of the text in a cell
 _REMARK_LENGTH = 40  # characters of a remark that fit in the default width of the column
 
 
 class PillDelegate(QStyledItemDelegate):
-    """Paints marks as pills, shows their tooltips, and lets the user edit only the user's own words."""
+    """Paints marks as pills, shows their tooltips, and lets users edit only their own words in a description."""
 
     def initStyleOption(self, option, index) -> None:
         super().initStyleOption(option, index)
@@ -126,7 +126,7 @@ def _paint_outlined(painter, where: QRectF, piece) -> None:
 
 
 def _paint_warning(painter, where: QRectF, piece) -> None:
-    """Paint a triangle with an exclamation mark. The warning sign of a font can be missing or coloured."""
+    """Paint a triangle with an exclamation mark. A font's warning sign could be missing or have its own colours."""
     side = where.height() - 3
     box = QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side)
     painter.setPen(Qt.NoPen)
@@ -157,7 +157,7 @@ _PAINTERS = {
 
 
 def _objects_of(index) -> list:
-    """Return the marked objects that a cell of the tree could show, by the labels of object and document."""
+    """Return the marked objects that a cell of the tree could show: those with its label, description and document."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
     above = []  # FreeCAD 0.20 has a root item "Application" above the documents
@@ -173,12 +173,12 @@ def _objects_of(index) -> list:
 
 
 def _object_of(index):
-    """Return the marked object of a cell of the tree; None unless exactly one fits."""
+    """Return the marked object that a cell of the tree shows; None unless exactly one object fits the cell."""
     found = _objects_of(index)
     return found[0] if len(found) == 1 else None
 
 
-_delegate: PillDelegate | None = None  # views do not keep their delegates alive
+_delegate: PillDelegate | None = None  # kept here, because Qt's views do not keep their delegates alive
 
 
 def _follow_preferences() -> None:
@@ -187,11 +187,11 @@ def _follow_preferences() -> None:
     show()
 
 
-_changes = single_shot(_follow_preferences)  # runs after all preferences were written
+_changes = single_shot(_follow_preferences)  # runs once, after all changed preferences were written
 
 
 def _repaint() -> None:
-    """Repaint the trees: the visible room for a mark, and so its layout, changes when the tree is scrolled."""
+    """Repaint the trees. The layout of a mark depends on its visible width, which changes when the tree is scrolled."""
     for view in column.trees():
         view.viewport().update()
 
@@ -212,7 +212,7 @@ def show() -> None:
 
 
 def fit_column() -> None:
-    """Fit the Description column to strategy and time of all operations, including operations in closed branches."""
+    """Make the Description column wide enough for the marks of all operations, also in collapsed branches."""
     document, chosen = FreeCAD.ActiveDocument, preferences.read()
     records = [read_with_faults(obj) for obj in document.Objects if may_have_mark(obj)] if document else []
     metrics = QFontMetrics(QApplication.font("QTreeView"))
