@@ -28,7 +28,7 @@ SQUARE = "X30 Y0\nX60\nY40\nX20\nY10\n"
 
 
 @pytest.mark.parametrize("start", [
-    "G41.1 D4 G1 ", "G10 L1 P3 R2\nG41 D3 G1 ", "G10 L12 P3 R2\nG41 D3 G1 ", "G20 G41.1 D0.15748031496 G21 G1 ",
+    "G41.1 D4 G1 ", "G10 L1 P3 R2\nG41 D3 G1 ", "G10 L12 P3 R2\nG41 D3 G1 ", "G20 G41.1 D0.15748031496\nG21 G1 ",
 ])  # fmt: skip
 def test_compensated_path_cuts_inner_corners_short(start):
     """The first move ends beside its programmed end. The last move leads from there to the programmed path."""

@@ -114,3 +114,16 @@ def test_raw_freecad_paths_have_feeds_per_second():
     assert path.feed.tolist() == [10, 20] and path.problems[0].what.code == "feeds-per-second"
     for posted in (raw.replace("000000", "000"), raw.replace("F20.000000 X9.000000", "X9.000000 F20.000000")):
         assert read_program(posted).toolpath().feed[-1] == pytest.approx(20 / 60)
+
+
+@pytest.mark.parametrize("code", ["G92 X1", "G52 X-1", "G10 L20 P1 X1"])
+def test_unit_counts_for_all_codes_of_its_line(code):
+    start = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n"
+    first, last = f"G20 {code}", f"{code} G20"
+    ends = [read_program(f"{start}{line}\nG21\nX0\n").toolpath().points[-1].tolist() for line in (first, last)]
+    assert ends[0] == ends[1] == [pytest.approx(-25.4), 0, -1]
+
+
+def test_codes_that_reset_a_shift_leave_the_words_of_other_codes():
+    path = read_program("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG10 L2 P2 X9 G92.3\nY3\n").toolpath()
+    assert path.points[-1].tolist() == [0, 3, -1]

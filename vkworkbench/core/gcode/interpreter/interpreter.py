@@ -28,6 +28,8 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
+# Words that controls process before the other codes of a line, wherever they are: units, modes, planes and work offsets.
+_FIRST = frozenset(("G", code / 10) for code in codes.UNITS | codes.KEPT | codes.OFFSETS)
 _HANDLERS: dict[int, Handler] = {
     **units.HANDLERS, **offsets.HANDLERS, **compensation.HANDLERS, **cycles.HANDLERS, **mapping.HANDLERS, **single_moves.HANDLERS,
 }  # fmt: skip
@@ -88,7 +90,7 @@ class Interpreter(Machine):
         parameters, letters = line.parameters, line.letters
         returns = change = False
         taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
-        for letter, value in line.words:
+        for letter, value in sorted(line.words, key=lambda word: word not in _FIRST):
             if letter == "G":
                 self._g_code(whole(10 * value, 10 * _MOST_CODES), line)
             elif letter == "M":

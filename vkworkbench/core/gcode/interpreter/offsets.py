@@ -47,7 +47,7 @@ def _work_offset(machine: Machine, line: Line) -> None:
 def _shift(machine: Machine, line: Line) -> None:
     """Process G52, G92, G92.1, G92.2 and G92.3."""
     values = line.lengths(machine.modes.unit)
-    line.apart = line.code in (codes.LOCAL, codes.POSITION)
+    line.apart |= line.code in (codes.LOCAL, codes.POSITION)
     if machine.maps.fixes_origin or (values and not line.apart and machine.is_fanuc()):
         _coordinates(machine, line)  # on Fanuc controls, the axis words of G92.1 choose the axes
     elif line.code == codes.LOCAL:

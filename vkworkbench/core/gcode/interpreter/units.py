@@ -10,7 +10,7 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
 _LATHE_CYCLE = frozenset("PQUWR")  # with these words, G70 to G72 are turning cycles, not units
-_MOVES = frozenset([("G", 0.0), ("G", 1.0), ("G", 2.0), ("G", 3.0)])
+_MOTIONS = frozenset(("G", code / 10) for code in codes.MOTIONS)
 _OF_RS274 = (200, 210)
 _HOLE_PATTERN = frozenset("IJKL")  # with these words, G70 to G72 are patterns of holes on Haas and Yasnac
 
@@ -61,7 +61,7 @@ def _tool_length(machine: Machine, line: Line) -> None:
     length = NO_LENGTH if line.code == 490 or number == 0 else (line.code, number)
     if length != machine.tool_length:
         machine.tool_length, machine.length_changed = length, machine.moved
-    if line.code == 431 and "H" not in line.letters and _MOVES.isdisjoint(line.words):
+    if line.code == 431 and "H" not in line.letters and _MOTIONS.isdisjoint(line.words):
         line.apart = True  # the Z word is only the length, not the target of a move
     machine.other(line)
 
