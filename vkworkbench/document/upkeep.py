@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keep marks in the tree up to date: watch all documents, and analyse again if the preferences say so."""
+"""Keep marks up to date: watch all documents, and analyse changed operations again if the preferences ask for it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vkworkbench.report import Cancelled, Report
 
 
 class Upkeep(Watcher):
-    """A watcher that, without a window, also analyses outdated operations again after a recompute."""
+    """A watcher that, in FreeCAD without a window, also analyses outdated operations again after a recompute."""
 
     def slotRecomputedDocument(self, document) -> None:
         super().slotRecomputedDocument(document)
@@ -39,7 +39,7 @@ def watch() -> None:
     if _upkeep is None:
         _upkeep = Upkeep()
         FreeCAD.addDocumentObserver(_upkeep)
-        if not FreeCAD.GuiUp:  # a window updates the marks itself, after all preferences were changed
+        if not FreeCAD.GuiUp:  # with a window, `gui.tree.pills` updates the marks after all preferences were written
             preferences.observe(lambda name: name in IN_MARKS and follow_preferences())
 
 

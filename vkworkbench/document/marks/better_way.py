@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Warn of a simulation that hangs or takes too long, and suggest a faster simulation. Reads only marks in the tree."""
+"""Warn of a simulation that hangs or takes too long, and suggest a faster one, from the marks in the tree alone."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ class BetterWay:
     Attributes
     ----------
     wrong : Message
-        The problem.
+        The problem of the simulation.
     better : Message
-        The time of the faster way.
+        The faster way, with its time.
     way : str
-        The name of one of FreeCAD's simulators (the legacy one runs in fast-forward), or `OURS`.
+        The name of one of FreeCAD's simulators (the legacy simulator runs in fast-forward), or `OURS`.
     """
 
     wrong: Message
@@ -37,7 +37,9 @@ class BetterWay:
 
 
 def better_way(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> BetterWay | None:
-    """Return the warning for a simulator that is started on operations; None if the time is within the budget.
+    """Return the warning for a simulator that is started on operations.
+
+    Return None if the simulator does not hang, and its time is within the budget or unknown.
 
     Parameters
     ----------
@@ -58,7 +60,7 @@ def better_way(simulator: str, records: Sequence[Record | None], chosen: Prefere
 
 
 def too_long(record: Record, chosen: Preferences) -> Message | None:
-    """Return a warning, with a faster way, if the time that a mark shows is over the budget; else None."""
+    """Return a warning, with a faster way, if the simulation time that a mark shows is over the budget; else None."""
     if burden(record, chosen) is not Burden.OVER:
         return None
     seconds, _ = record.cost(chosen.simulator)
@@ -85,7 +87,7 @@ def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
 
 
 def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferences) -> tuple[str, Message]:
-    """Return the first simulator within the time budget, and its message. FreeCAD's simulators are tried first."""
+    """Return the faster way and its message: the first simulator of FreeCAD within the time budget, else `OURS`."""
     for name in sorted(freecad.own_simulators(), key=lambda name: name != simulator):
         cost, bound = _together(name, fresh, operations)
         slow = name == simulator != LEGACY.name  # only the legacy simulator has a faster mode, fast-forward
@@ -100,7 +102,7 @@ def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferenc
 
 
 def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cost | None, Message]:
-    """Return the cost of operations in a simulator, and the message "about", or "at least" if some costs are unknown."""
+    """Return the cost of operations in a simulator, and the message "about"; "at least" if some costs are unknown."""
     (entry,) = [entry for entry in SIMULATORS if entry.name == simulator]
     costs = [record.costs[simulator] for record in fresh if simulator in record.costs]
     without_moves = sum(record.trajectories == 0 for record in fresh)
@@ -109,5 +111,8 @@ def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cos
 
 
 def _seconds_of_play(simulator: str, cost: Cost) -> float:
-    """Return the time of "play", which a click starts. For the legacy simulator a mark shows the time of fast-forward."""
+    """Return the time of the playback, which the button "play" starts.
+
+    For the legacy simulator, a mark shows the shorter time of fast-forward instead.
+    """
     return cost.play_seconds if simulator == LEGACY.name else cost.seconds

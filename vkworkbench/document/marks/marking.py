@@ -35,12 +35,12 @@ def mark(report: Report, *, undo_step: bool = True) -> int:
     Parameters
     ----------
     undo_step : bool
-        Whether the marks become a step that the user can undo. If False, undone earlier steps can still be redone.
+        Whether the user can undo the marking. If False, steps that the user has undone before can still be redone.
 
     Returns
     -------
     int
-        Number of marked operations. Operations deleted or closed since the analysis are skipped.
+        Number of marked operations. Operations that were deleted, or whose document was closed, are skipped.
 
     Raises
     ------
@@ -72,7 +72,7 @@ def _mark(document, operations: list[OperationReport], verdicts: dict[str, JobVe
         obj = document.getObject(operation.name)
         if obj is not None and has_toolpath(obj):  # the mark of a link is on the linked object
             path, setting = path_and_setting(operation.fingerprint)
-            # The fingerprint of a path is empty if the path could not be read, for example because memory was short.
+            # The fingerprint of a path is empty if the path could not be read, for example for lack of memory.
             fits = setting in settings.of(obj) and (not path or path_fingerprint(obj) == path)
             marks.write(obj, operation, chosen, outdated=not fits)
             marked.add(obj.Name)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Read, write and refresh the mark of one operation or job in the tree.
 
-Label2, which the tree shows in its Description column, contains the text of a mark in brackets, beside the user's own
-words. A hidden property holds all data of the mark, including the text that the mark wrote into the description.
-FreeCAD opens a marked file without this add-on, too.
+The description of an object (the property Label2, which the tree shows in its Description column) contains the text of
+a mark in brackets, after the user's own words. A hidden property holds all data of the mark, including this text.
+FreeCAD can open a marked file also without this add-on.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from vkworkbench.preferences import Preferences
 from vkworkbench.report import JobVerdict, OperationReport, fingerprint_of_job, total_of
 
 _BRACKETS = re.compile(f" ?{OPENING}([^{OPENING}{CLOSING}]*){CLOSING}")
-# The text of a mark in any version: a confidence, a time, or only a strategy.
+# The text of a mark, as any version of this add-on writes it: with a confidence, with a time, or with a strategy only.
 _LIKE_A_MARK = re.compile(
     rf"\S.*?(?: \d{{1,3}} ?%|{SEPARATOR}(?:{SIMULATION}|▶) .+)(?:{SEPARATOR}.*|$)|"
     rf"(?:{'|'.join(strategy.value for strategy in Strategy)}|{SWITCHED_OFF}|\d+ operations?(?: x\d+)?)(?:{SEPARATOR}.*)?"
@@ -46,7 +46,7 @@ def read(obj) -> Record | None:
 
 
 def _kept(obj) -> Record | None:
-    """Return the stored mark. A switched-off operation keeps its earlier mark."""
+    """Return the stored mark of an object, which is the earlier mark if the operation was switched off since."""
     return record.from_json(mark_properties.mark_data(obj))
 
 
@@ -62,7 +62,7 @@ def is_outdated(obj) -> bool:
 
 
 def is_shown(obj) -> bool:
-    """Return whether the description contains the mark's text, or is locked. If not, the user has deleted the text."""
+    """Return whether the user has left the mark's text in the description, or the description is locked."""
     return any(_segments(obj)) or _is_locked(obj)
 
 
@@ -75,13 +75,13 @@ def words_of(obj) -> str:
 
 
 def with_words(obj, words: str) -> str:
-    """Return an object's description with the user's new words before the mark."""
+    """Return the description of an object with new words of the user, followed by the text of the mark."""
     segments = [obj.Label2[start:end].strip() for start, end in _segments(obj)]
     return " ".join(filter(None, [words.strip(), *segments[-1:]]))
 
 
 def _segments(obj) -> Iterator[tuple[int, int]]:
-    """Yield the positions of the mark in an object's description. Brackets that the user wrote are skipped."""
+    """Yield the positions of the mark's texts in an object's description. Brackets that the user wrote are skipped."""
     if not (mark_properties.may_have_mark(obj) or is_marked(obj)):
         return
     written, own = mark_properties.text_written(obj), mark_properties.own_brackets(obj)
@@ -92,7 +92,7 @@ def _segments(obj) -> Iterator[tuple[int, int]]:
 
 
 def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) -> None:
-    """Mark an operation with its report, showing the simulator of the preferences."""
+    """Mark an operation with its report. The mark shows the time in the simulator of the preferences."""
     made = record.of_operation(report, chosen.simulator)
     _keep(obj, replace(made, outdated=outdated), chosen, new=True)
 
@@ -100,8 +100,8 @@ def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) 
 def write_total(job, chosen: Preferences, verdict: JobVerdict | None = None) -> None:
     """Mark a job with the total of its operations' marks. A job with an unmarked operation gets no mark.
 
-    A verdict that is valid for the present job replaces the verdict in the job's mark. Otherwise the mark keeps its
-    verdict.
+    A verdict replaces the verdict in the job's mark if the new verdict is valid for the job as it is now. Otherwise the
+    mark keeps its earlier verdict.
     """
     parts = _parts(job)
     if not parts or None in parts.values():
@@ -144,7 +144,7 @@ def _parts(job) -> dict[Any, Record | None]:
 
 
 def _total(job, parts: dict[Any, Record | None]) -> Record:
-    """Return the total of the marks. The total is outdated if a mark is outdated or missing."""
+    """Return the total of the marks of a job's operations. The total is outdated if a mark is outdated or missing."""
     marked = {obj: part for obj, part in parts.items() if part is not None}
     known = [_with_estimate(obj, part) for obj, part in marked.items()]
     total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
@@ -157,7 +157,7 @@ def _is_outdated(parts: dict[Any, Record | None]) -> bool:
 
 
 def _with_estimate(obj, part: Record) -> Record:
-    """Return a mark with the z-buffer's full estimate of this session, if there is one, for the total of a job."""
+    """Return a mark for the total of a job, with the z-buffer's full estimate if this session has computed it."""
     row = results.latest_row(obj, part.fingerprint) if ZBUFFER.name in part.costs else None
     return replace(part, costs={**part.costs, ZBUFFER.name: row.estimate}) if row and row.estimate else part
 
@@ -175,19 +175,19 @@ def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 
 
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
-    """Add "outdated" to a mark if its operation has changed; remove "outdated" if the change was undone.
+    """Make a mark outdated if its operation has changed, or valid again if the change was undone.
 
-    If an operation has no toolpath because it was switched off, its mark is not outdated and shows "switched off".
+    The mark of an operation without toolpath because it was switched off is not outdated, and shows "switched off".
 
     Parameters
     ----------
     obj : DocumentObject
         An operation. Nothing happens without a mark.
     settings_of : callable
-        Returns the valid fingerprints of an operation's setting.
+        Returns the valid fingerprints of an operation's setting (tool and stock).
     path_changed, setting_changed : bool
-        Whether the path or the setting could have changed since the last comparison. If the mark is outdated, or the
-        operation was switched off, both are compared.
+        Whether the path or the setting has possibly changed since the last comparison. If the mark is outdated, or the
+        operation was switched off, both are compared anyway.
 
     Returns
     -------
@@ -209,7 +209,10 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
 
 
 def _is_switched_off(obj) -> bool:
-    """Return whether an operation has no toolpath because it is switched off. Until a recompute, the old path stays."""
+    """Return whether an operation has no toolpath because it is switched off.
+
+    FreeCAD removes the toolpath of an operation that is switched off only at the next recompute.
+    """
     return not is_active(obj) and path_fingerprint(obj) == text_fingerprint("", obj.Placement)
 
 
@@ -228,14 +231,14 @@ def refresh_total(job) -> None:
 
 
 def follow(obj, chosen: Preferences) -> None:
-    """Update the text of a mark after a change of the preferences. Nothing happens without a mark."""
+    """Update the text of an object's mark, if it has one, after a change of the preferences."""
     known = _kept(obj)
     if known is not None and known.text and known.text != text_of(known.shown, chosen):
         _keep(obj, known, chosen)
 
 
 def _keep(obj, known: Record, chosen: Preferences, *, new: bool = False) -> None:
-    """Write the properties of a mark. Write its text if the mark is new, or if the description has the text."""
+    """Write the properties of a mark; write its text only if the mark is new or the description contains its text."""
     visible = known.shown
     known = replace(known, text=text_of(visible, chosen))
     spans = list(_segments(obj))
@@ -257,7 +260,7 @@ def _keep(obj, known: Record, chosen: Preferences, *, new: bool = False) -> None
 
 
 def _describe(obj, spans: list[tuple[int, int]], text: str) -> None:
-    """Replace the first span of a description by a text, and remove other spans. Without a span, append the text."""
+    """Replace the first span of a description by a text, and remove further spans. Without a span, append the text."""
     label2 = obj.Label2
     for start, end in reversed(spans[1:]):
         label2 = label2[:start] + label2[end:]
@@ -275,7 +278,7 @@ def _set_description(obj, label2: str) -> None:
 
 
 def _is_locked(obj) -> bool:
-    """Return whether the description cannot be written. The mark of such an object has properties but no text."""
+    """Return whether the description of an object cannot be written. Then the mark has properties but no text."""
     driven = any(path.lstrip(".") == "Label2" for path, _ in obj.ExpressionEngine)
     return driven or "Immutable" in obj.getPropertyStatus("Label2")
 

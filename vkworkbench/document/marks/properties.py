@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a mark in the tree: a hidden one with all data, and visible ones. Imports no numpy.
+"""The properties of a mark: a hidden property with all data, and visible properties. This module does not import numpy.
 
-All properties are read-only outputs. FreeCAD would recompute an object after a change of an ordinary property.
+All properties are read-only outputs, because FreeCAD recomputes an object after a change of an ordinary property.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from vkworkbench.language import ENGLISH
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 GROUP = "Toolpath analysis"
-# The hidden property with all data of the mark, and its earlier name. A property of the user can have the earlier name,
-# too.
+# Name of the hidden property with all data of the mark, and its name in earlier versions. A property of the user can
+# have the earlier name, too.
 MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
-# Sums of attributes. ReadOnly (1): the user cannot change it. Hidden (4). Output (8): a change does not recompute the
-# object.
+# Attributes of visible and of hidden properties, as sums of FreeCAD's flags: ReadOnly (1): the user cannot change the
+# property. Hidden (4). Output (8): a change of the property does not recompute the object.
 _SHOWN, _HIDDEN = 9, 13
 # "CuttingLength" and not "Length", because FreeCAD's lead-in dress-up has a property "Length".
 _TYPES = {
@@ -41,7 +41,7 @@ _TYPES = {
 
 
 def may_have_mark(obj) -> bool:
-    """Return whether an object itself has the property of a mark. A link shows the property of its linked object."""
+    """Return whether an object itself has a mark's property. A link only shows the property of its linked object."""
     return (hasattr(obj, MARK) or _has_earlier_mark(obj)) and not obj.isDerivedFrom(freecad.LINK)
 
 
@@ -51,7 +51,7 @@ def is_mark(obj, name: str) -> bool:
 
 
 def _has_earlier_mark(obj) -> bool:
-    """Return whether an object has a mark under the earlier name: in the mark's group, or with the data of a mark."""
+    """Return whether the property with the earlier name is a mark, by its group or by its data."""
     if not hasattr(obj, _EARLIER):
         return False
     if _group(obj, _EARLIER) == GROUP:
@@ -61,13 +61,16 @@ def _has_earlier_mark(obj) -> bool:
 
 
 def mark_data(obj) -> str:
-    """Return the text of the property with the mark; empty without one, or if it has another type."""
+    """Return the data of a mark, as stored in its property; empty if there is no mark, or if it is not a text."""
     text = getattr(obj, _EARLIER if not hasattr(obj, MARK) and _has_earlier_mark(obj) else MARK, "")
     return text if isinstance(text, str) else ""
 
 
 def ours(obj) -> list[str]:
-    """Return the names of an object's properties that belong to a mark: by their group, or because the mark lists them."""
+    """Return the names of an object's properties that belong to its mark.
+
+    A property belongs to the mark if the mark's data lists it, or by its name and group.
+    """
     written = _written(obj)
     return [
         name
@@ -77,7 +80,7 @@ def ours(obj) -> list[str]:
 
 
 def text_written(obj) -> str | None:
-    """Return the text that a mark of any version wrote into the description; None if unknown."""
+    """Return the text that the mark has written into the description; None if the text is unknown."""
     return _part(obj, "text")
 
 
@@ -98,7 +101,7 @@ def _part(obj, name: str):
 
 
 def _parsed(text: object) -> object:
-    """Return the data of a JSON text; None for anything else."""
+    """Return the data of a JSON text; None if the argument is not a JSON text."""
     try:
         return json.loads(text) if isinstance(text, str) else None
     except (ValueError, RecursionError):
@@ -110,13 +113,16 @@ def _group(obj, name: str) -> str:
 
 
 def may_show(obj, names: Iterable[str]) -> set[str]:
-    """Return the names that a mark may use: an object's own properties of the same name are not overwritten."""
+    """Return the names of properties that a mark may write: without names that the object uses for other properties."""
     present = {name for name in names if hasattr(obj, name)}
     return set(names) - (present - set(ours(obj)) if present else set())
 
 
 def set_values(obj, values: dict) -> None:
-    """Set the mark's properties to these values. Remove its other properties; replace properties of a wrong type."""
+    """Set the mark's properties to these values.
+
+    The mark's properties without a value are removed; properties with another type or other attributes are replaced.
+    """
     for name in ours(obj):
         if name not in values or not _is_as_written(obj, name):
             remove(obj, name)
@@ -140,7 +146,7 @@ def _is_as_written(obj, name: str) -> bool:
 
 
 def _type(name: str) -> str:
-    """Return the type of a property in this FreeCAD version."""
+    """Return the type that a property of the mark has in this FreeCAD version."""
     type_id = _TYPES[name][0]
     has_times = freecad.version() >= freecad.TIME_PROPERTY_SINCE
     return "App::PropertyString" if type_id == "App::PropertyTime" and not has_times else type_id

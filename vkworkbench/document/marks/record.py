@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The data of a mark in the tree: enough to explain the result, follow the preferences, and compute a job's total."""
+"""The data of a mark: enough to explain the result, to follow the preferences, and to compute the total of a job."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vkworkbench.language import Message, render
 from vkworkbench.report import HANGS, SERIOUS, JobVerdict, OperationReport, Setup, Total, has_unknown_cost
 
 _FORMAT = 2  # format of the JSON text; format 1 was never released
-_LARGEST = 1e15  # upper limit for numbers in any unit; larger numbers come from a damaged file
+_LARGEST = 1e15  # upper bound for numbers in any unit; a larger number comes from a damaged file
 
 
 @dataclass(frozen=True)
@@ -29,39 +29,39 @@ class Record(Costs):
         Strategy of the operation; None for a job.
     confidence : float
     reason, remarks : tuple of Message
-        The reason for the strategy; problems and unknowns.
+        The reason for the strategy; the problems of the operation and what is unknown about it.
     cautions : tuple of Caution
         Problems in FreeCAD's simulators.
     operations, fixtures, trajectories : int
-        Numbers of operations, of work offsets for which they are posted, and of straight moves.
+        Number of operations, number of work offsets for which they are posted, and number of straight moves.
     length : float
         Cutting length, mm.
     machining_seconds : float or None
         Time of the moves whose speed is known, s.
     left_out : tuple of Message
-        Parts of the machining time that are not included.
+        What the machining time does not include.
     setup : Setup
         The tool, and the time of its setup.
     stepover : float or None
         Stepover, mm.
     called : str or None
-        FreeCAD's name of the operation's kind or pattern, if the toolpath contradicts it.
+        FreeCAD's name for the operation's kind or pattern, if the toolpath contradicts this name.
     incomplete : bool
         Whether the cost of an operation is unknown, so that the costs of the job are lower bounds.
     costs : dict of str to Cost
-        Costs by name of the simulator.
+        Costs of the simulation, by the name of the simulator.
     fingerprint : str
         Fingerprint of path, tool and stock; for a job, the fingerprints of its operations.
     verdict : JobVerdict or None
         The verdict of a simulation on a job.
     outdated : bool
     off : bool
-        Whether the operation lost its toolpath because it was switched off. The other data becomes valid again when the
-        toolpath is back.
+        Whether the operation lost its toolpath because it was switched off. The other data of the record becomes valid
+        again when the operation has its toolpath again.
     text : str
         Text of the mark in the description.
     label : str
-        Present label of the operation; not stored.
+        Current label of the operation; not stored.
     """
 
     strategy: Strategy | None
@@ -90,7 +90,7 @@ class Record(Costs):
 
     @property
     def shown(self) -> Record:
-        """The visible results. A switched-off operation shows only that it is switched off, not its earlier results."""
+        """The results to show: for a switched-off operation, only that it is switched off; otherwise this record."""
         if not self.off:
             return self
         why = {"confidence": 1.0, "reason": (Message("no-moves"),), "remarks": (Message("inactive"),)}
@@ -112,7 +112,7 @@ class Record(Costs):
 def of_operation(report: OperationReport, simulator: str) -> Record:
     """Return the record of an operation's report, with the costs of FreeCAD's simulators and of `simulator`.
 
-    A cost of another simulator is included if it was computed already.
+    The cost of any other simulator is included only if it was computed already.
     """
     names = {simulator, *freecad.own_simulators(), *_computed(report.costs)}
     costs = {name: report.costs[name] for name in sorted(names) if name in report.costs}
@@ -139,7 +139,7 @@ def _computed(costs: Mapping[str, Cost]) -> Iterable[str]:
 
 
 def of_total(total: Total, parts: list[Record], fingerprint: str) -> Record:
-    """Return the record of a job's total, made of the records of its operations."""
+    """Return the record of a job's total. `parts` are the records of the job's operations."""
     unknown = [part.label for part in parts if has_unknown_cost(part)]
     return Record(
         strategy=None,
@@ -242,7 +242,7 @@ def _setup(tool: Any = "", planned: Any = False, change: Any = 0.0, spindle: Any
 
 
 def _messages(data: Any) -> tuple[Message, ...]:
-    """Return messages; raise an error for a message that this version cannot render."""
+    """Return the messages in the data; raise an error if this version cannot render a message."""
     messages = tuple(map(Message.from_data, data))
     for message in messages:
         render(message)

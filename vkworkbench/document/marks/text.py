@@ -15,18 +15,18 @@ OPENING, CLOSING, SEPARATOR, OUTDATED = "⟦", "⟧", " · ", "outdated"
 SWITCHED_OFF = "switched off"
 SIMULATION, WARNING = "sim", "⚠"
 UNSURE = 0.8  # a mark shows only confidences below this value
-_NEAR = 0.5  # share of the time budget above which a time is NEAR
-_LONGEST_REMARK = 120  # characters of the remarks in a document; the window shows as many as fit
+_NEAR = 0.5  # share of the time budget above which a simulation time is NEAR the budget
+_LONGEST_REMARK = 120  # maximum number of characters of the remarks in a description
 
 
 class Burden(IntEnum):
-    """Result of comparing a simulation's time with the time budget of the preferences."""
+    """Whether the time of a simulation is well within, near or over the time budget of the preferences."""
 
     FINE, NEAR, OVER = range(3)
 
 
 def burden(record: Record, chosen: Preferences) -> Burden:
-    """Compare the time in the simulator of the preferences with the time budget."""
+    """Compare the time in the simulator of the preferences with the time budget. An unknown time is FINE."""
     cost = record.cost(chosen.simulator)
     share = cost[0] / chosen.time_budget if cost else 0.0
     return Burden.OVER if share > 1 else Burden.NEAR if share > _NEAR else Burden.FINE
@@ -48,7 +48,7 @@ def is_warned(record: Record, chosen: Preferences) -> bool:
 
 
 def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> str:
-    """Return the time in the simulator of the preferences as text; empty if unknown."""
+    """Return the time in the simulator of the preferences as text; empty if the time is unknown."""
     cost = record.cost(chosen.simulator)
     if not cost:
         return ""
@@ -57,7 +57,7 @@ def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> st
 
 
 def machine_time_of(record: Record, reader: Reader = ENGLISH) -> str:
-    """Return the time on the machine as text; empty if unknown."""
+    """Return the time on the machine as text; empty if it is unknown or the operation is switched off."""
     if not record.machining_seconds or is_switched_off(record):
         return ""
     time = reader.clock(record.machining_seconds)
@@ -65,7 +65,7 @@ def machine_time_of(record: Record, reader: Reader = ENGLISH) -> str:
 
 
 def text_of(record: Record, chosen: Preferences) -> str:
-    """Return the text between the brackets of a description, in English for all readers."""
+    """Return the mark's text for the description, without brackets. The text is English for all users."""
     if record.strategy is None:
         first = how_many(record.operations, "operation") + (f" x{record.fixtures}" if record.fixtures > 1 else "")
     elif is_switched_off(record):

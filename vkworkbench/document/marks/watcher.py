@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Watch documents: a mark in the tree becomes outdated when its operation's path, tool or stock changes.
+"""Watch documents, and make a mark outdated when the path, tool or stock of its operation changes.
 
-FreeCAD reports every changed property. The watcher notes relevant changes, and compares the marks when the recompute, undo or
-redo is over. Changes while a document is being restored are ignored. Objects that are copied or moved into a document are
-compared, because such objects can belong to another job now.
+FreeCAD reports every changed property. The watcher collects relevant changes, and compares the marks with their
+operations when the recompute, undo or redo is over. Changes while a document is being opened are ignored. Marks of
+objects that are copied or moved into a document are compared, too, because these objects can belong to another job now.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from vkworkbench.document.marks import marks
 from vkworkbench.document.marks.properties import is_mark, may_have_mark
 
 _ON_OPERATION = freecad.names_in_fingerprint("path")
-# Properties of tools, stocks and groups. Their changes concern all operations and jobs that use the object.
+# Properties of tools, stocks and groups. A change concerns all operations and jobs that use the tool, stock or group.
 _ON_SETTING = freecad.names_in_fingerprint("setting")
 
 
 class Watcher:
-    """An observer of all documents."""
+    """An observer of all documents that keeps the state of their marks up to date."""
 
     def __init__(self) -> None:
         self._paths: dict[str, set[str]] = {}
@@ -41,7 +41,7 @@ class Watcher:
             idle.later(f"copies in {name}", lambda: self._look_at_new(name))
 
     def slotChangedObject(self, obj, name: str) -> None:
-        # An undo, or an aborted step, can restore the mark of an earlier path and setting.
+        # An undo, or an aborted undo step, can restore a mark that belongs to an earlier path and setting.
         brought_back = obj.Document.Transacting and is_mark(obj, name)
         if name in _ON_OPERATION or brought_back:
             if may_have_mark(obj) and not obj.Document.Restoring:
@@ -91,18 +91,18 @@ def check(document) -> None:
 def comparing(
     document, paths: set[str] | None = None, *, settings: bool = True, opened: bool = False
 ) -> Iterator[None]:
-    """Compare marks with their operations in steps of milliseconds; a mark that differs becomes outdated.
+    """Compare marks with their operations in steps of milliseconds, and make marks outdated or valid again.
 
     Parameters
     ----------
     document : Document
     paths : set of str, optional
-        Names of operations whose path could differ from the mark; None for all operations.
+        Names of the operations whose path has possibly changed since the mark; None for all operations.
     settings : bool
-        Whether tools, stocks or groups could differ from the marks.
+        Whether tools, stocks or groups have possibly changed since the marks.
     opened : bool
-        Whether the document was just opened. FreeCAD then adds a stock to a job without one, which does not make a mark
-        outdated.
+        Whether the document was just opened. FreeCAD then adds a stock to a job without stock; this change does not
+        make a mark outdated.
     """
     settings_of = Settings(opened=opened).of
     if settings or paths is None:

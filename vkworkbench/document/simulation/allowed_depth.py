@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The depth to which an operation is meant to cut into the model, as engraving, V-carving and deburring do."""
+"""The depth to which an operation may cut into the model. Engraving, V-carving and deburring cut into it on purpose."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from vkworkbench.document.simulation.job import SimulatedOperation
 from vkworkbench.language import Message
 
 _ENGRAVING, _DEBURRING = ("Engrave", "Vcarve"), "Deburr"
-# An imported engraving has no property with its depth. Its depth is the depth that this share of its cutting length
-# does not exceed. With a smaller share, the deepest strokes are gouges. With a larger share, one stroke that is too
-# deep is not a gouge.
+# An imported engraving has no property with its depth. Therefore the allowed depth is the depth that this share of the
+# cutting length does not exceed. Lower: the deepest intended strokes are reported as gouges. Higher: a single stroke
+# that is too deep is not reported.
 _NOT_DEEPER = 0.9
 
 
 def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
-    """Return the intended depth of an operation's cut into the model, mm; infinite if an end mill replaces its tool.
+    """Return how deep an operation may cut into the model, mm; infinite if an end mill is simulated for its tool.
 
     Parameters
     ----------
     obj : DocumentObject
     simplified : Message or None
-        The remark that the tool is simulated by a simpler shape.
+        The remark that a simpler shape is simulated instead of the tool.
     """
     if tool is None:
         return 0.0
-    # An end mill replaces an undercutting tool and is larger, so it also cuts where the real tool does not.
+    # The end mill that is simulated instead of an undercutting tool is larger, and also cuts where the tool does not.
     if simplified is not None and "as-end-mill" in simplified.codes:
         return inf
     for one in (obj, *all_bases(obj)):
@@ -48,7 +48,7 @@ def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
 
 
 def with_stroke_depth(operation: SimulatedOperation, cut: Cut, top: float) -> Cut:
-    """Return a cut; for an imported engraving, with the depth of its strokes below `top`, mm."""
+    """Return the cut of an operation. An imported engraving may cut to the depth of its strokes below `top`, mm."""
     if not operation.imported or cut.allowed_depth:
         return cut
     found, _ = recognize_operation(cut.toolpath, cut.tool.diameter, True)

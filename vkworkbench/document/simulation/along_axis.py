@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The simulation of a job along its tool axis. All facts come from this simulation, whatever view is shown."""
+"""Simulate a job along its tool axis. All reported facts come from this simulation, whatever view the user sees."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ class AlongAxis:
     checked : CrashCheck
     collisions : Collisions
     measured : Volumes or None
-        None if measuring the volumes would exceed the time budget.
+        The removed volumes; None if measuring them would exceed the time budget.
     seen : SeenModel or None
-        The model in the image; None without a model.
+        The model, seen along the tool axis; None without a model.
     """
 
     job: SimulatedJob
@@ -77,7 +77,7 @@ def simulate_along_axis(
     Parameters
     ----------
     memory_budget : float
-        Largest memory, bytes. The preferences contain the time budget.
+        Upper bound for the memory, bytes. The time budget comes from the preferences.
     going_on : callable, optional
         Called many times a second with the completed share of the simulation, 0 to 1. An exception from it ends the work.
 
@@ -100,7 +100,10 @@ def simulate_along_axis(
 
 
 def zbuffer_along_axis(job: SimulatedJob, memory_budget: float, going_on: Callable[[float], None]) -> ZBuffer:
-    """Simulate a job along its tool axis, as finely as is useful, in half of the time budget; see `simulate_along_axis`."""
+    """Simulate a job along its tool axis, as finely as is useful, in half of the time budget.
+
+    The arguments are those of `simulate_along_axis`.
+    """
     seconds = preferences.read().time_budget
     view = axis_view(job.cuts, job.stock, memory_bytes=memory_budget, seconds=seconds / 2, speed=known_speed())
     while True:
@@ -113,13 +116,13 @@ def zbuffer_along_axis(job: SimulatedJob, memory_budget: float, going_on: Callab
 
 
 class OnceAlongAxis:
-    """The simulation of a job along its tool axis, made at the first use.
+    """Returns the simulation of a job along its tool axis. The first call simulates the job.
 
     Parameters
     ----------
     job : SimulatedJob
     memory_budget : float
-        Largest memory, bytes.
+        Upper bound for the memory, bytes.
     """
 
     def __init__(self, job: SimulatedJob, memory_budget: float) -> None:

@@ -53,7 +53,7 @@ _WAIT = 0.05  # s between two calls of `going_on` while waiting for a copy
 
 @dataclass(frozen=True)
 class _Copied:
-    """Copies of one operation's properties; its path has no fingerprint yet."""
+    """Copies of one operation's properties. The fingerprint of its path is not yet computed."""
 
     operation: SimulatedOperation
     path: object
@@ -61,7 +61,7 @@ class _Copied:
     tool: Tool | None
     vertical_feed: float
     allowed_depth: float  # see `Cut`
-    simplified: Message | None  # the remark that the tool is simulated by a simpler shape
+    simplified: Message | None  # the remark that a simpler shape is simulated instead of the tool
     no_tool: Message | None  # why the tool is unknown
 
 
@@ -73,12 +73,12 @@ class ReadCut:
     ----------
     operation : SimulatedOperation
     cut : Cut or None
-        None if there is nothing to simulate.
+        The toolpath and the tool; None if the operation cannot be simulated.
     as_read : Toolpath or None
     listing : Listing or None
         See `SimulatedJob`.
     remarks : tuple of Message
-        Simplifications of the operation in the simulation.
+        What the simulation simplifies in the operation.
     unread : tuple of Message
         Parts of the operation that could not be read.
     """
@@ -92,7 +92,7 @@ class ReadCut:
 
 
 class JobCopy:
-    """Copies of a job's operations, made one after the other, which another thread reads.
+    """Copies of a job's operations. The main thread makes the copies one by one, and another thread reads them.
 
     Attributes
     ----------
@@ -116,9 +116,9 @@ class JobCopy:
         self._stock, remark = stock_solid(job, self._box)
         self._model_shapes = model_shapes(job)
         self._model = shapes_of_model(job)
-        # Height of the surface that an engraving is cut into, mm.
+        # Height of the surface into which an engraving is cut, mm.
         self._top = max((shape.BoundBox.ZMax for shape in self._model_shapes), default=float(self._box.upper[2]))
-        self._settings: dict[str, str] = {}  # fingerprints, by the names of operations
+        self._settings: dict[str, str] = {}  # fingerprints of the settings, by the names of operations
         self._paths: dict[str, str] = {}
         self._given_clamps = None if clamps is None else tuple(clamps)
         self._clamp_shapes = shapes_of(self._clamps_of(job))
@@ -138,12 +138,12 @@ class JobCopy:
         self._copied: SimpleQueue = SimpleQueue()
 
     def copying(self) -> Iterator[None]:
-        """Copy one operation in each step; FreeCAD can handle events between two steps.
+        """Copy one operation in each step. FreeCAD can handle events between two steps.
 
         Raises
         ------
         ReferenceError
-            If an operation was deleted meanwhile.
+            If an operation was deleted between two steps.
         """
         if self._previous is not None:
             yield from self._previous.copying()
@@ -154,9 +154,9 @@ class JobCopy:
             yield
 
     def read(self, going_on: Callable[[], None] = lambda: None) -> Iterator[ReadCut]:
-        """Yield each copied operation linearised. An exception from `going_on` ends the work.
+        """Yield each operation, linearised, as soon as it is copied. An exception from `going_on` ends the work.
 
-        A previous job of the job is simulated first, and its part becomes the stock.
+        If the job has a previous job, the previous job is simulated first, and its finished part becomes the stock.
         """
         if self._previous is not None:
             self._begin_with(self._previous.job(self._previous.read(going_on)), going_on)
@@ -168,24 +168,24 @@ class JobCopy:
             yield read
 
     def _begin_with(self, previous: SimulatedJob, going_on: Callable[[], None]) -> None:
-        """Simulate the previous job and use its finished part as the stock."""
+        """Simulate the previous job and use its finished part as the stock of this job."""
         budget = preferences.read().memory_budget_bytes
         zbuffer = zbuffer_along_axis(previous, budget, lambda _: going_on())
         self._stock, remark = stock_after(part_triangles(zbuffer), previous.model_shapes, self._model_shapes)
         self._unread += (*((remark,) if remark else ()), *previous.unread)
 
     def asked(self):
-        """Return the objects that were asked for and still exist; the whole document if none exists."""
+        """Return the objects that the user chose and that still exist; the whole document if no object exists."""
         document = FreeCAD.getDocument(self.document)
         return [obj for obj in map(document.getObject, self._asked) if obj is not None] or document
 
     def comparing(self, changed: Container[str]) -> Generator[None, None, bool]:
-        """Compare the document with the copies, in steps of milliseconds; return whether the document is unchanged.
+        """Compare the document with the copies, in steps of milliseconds; return whether both are equal.
 
         Parameters
         ----------
         changed : container of str
-            Names of the operations whose path may have changed.
+            Names of the operations whose path has possibly changed.
         """
         try:
             objects, job = _posted(self.asked())
@@ -197,7 +197,7 @@ class JobCopy:
             same = have_equal_shapes(shapes_of_model(job), self._model) and have_equal_shapes(
                 shapes_of(self._clamps_of(job)), self._clamp_shapes
             )
-        except Unusable:  # for example operations of several jobs, or a model without volume
+        except Unusable:  # for example, the objects now belong to several jobs, or the model has no volume
             return False
         if not same or tuple(obj.Name for obj in objects) != self.names:
             return False
@@ -212,12 +212,12 @@ class JobCopy:
         return True
 
     def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
-        """Return the job made of the operations that were read.
+        """Return the job that consists of the operations in `read`.
 
         Raises
         ------
         Unusable
-            If there is nothing to simulate.
+            If no operation can be simulated.
         """
         read = tuple(read)
         cuts = [one for one in read if one.cut is not None]
@@ -323,13 +323,13 @@ def _linearized(copied: _Copied, tolerance: float, offsets: WorkOffsets) -> Read
 
 
 def _posted(what) -> tuple[list, object]:
-    """Return the objects to simulate, in the order of their job, and the job; None without a job."""
+    """Return the objects to simulate, in the order of their job, and their job; None if they have no job."""
     operations = _chosen(find(what))
     return [operation.object for operation in operations], operations[0].job if operations else None
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:
-    """Return the operations that are posted, in the order of their one job."""
+    """Return the operations that are posted, in the order of their job. Raise `Unusable` if they have several jobs."""
     operations = posted(found)
     jobs = jobs_of(operations)
     if len(jobs) > 1:

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Faults of operations, and verdicts on jobs, that simulations of this session have found.
 
-A verdict is valid until a toolpath or a setting of the document changes. A fault is valid as long as its operation,
-whose toolpath, tool and stock the fingerprint covers, and all earlier operations stay the same. All faults of a
-document are dropped when a toolpath or the order of its operations changes.
+A fault is valid as long as the toolpath, tool and stock of its operation, and all earlier operations, stay the same.
+The faults and verdicts of a document are dropped when a toolpath, a setting or the order of its operations changes.
 """
 
 from __future__ import annotations
@@ -24,20 +23,20 @@ from vkworkbench.report import JobVerdict, OperationReport
 
 _Found = TypeVar("_Found", OperationReport, Record)
 _CHANGES = freecad.names_in_fingerprint("path") | freecad.names_in_fingerprint("setting")
-# Faults by document and operation; each with the fingerprint of its operation.
+# Faults by the names of document and operation. Each fault has the fingerprint of its operation.
 _found: dict[str, dict[str, tuple[str, Message]]] = {}
-# Verdicts by document and job.
+# Verdicts by the names of document and job.
 _verdicts: dict[str, dict[str, JobVerdict]] = {}
 _observer: _Observer | None = None
 
 
 def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) -> bool:
-    """Replace the faults of operations; return whether any has changed.
+    """Replace the stored faults of operations; return whether a stored fault has changed.
 
     Parameters
     ----------
     faults : mapping
-        Lists of commands with their faults, by operation; an empty list if there is no fault.
+        For each operation the list of its faults, each with the number of its command; empty if there is no fault.
     """
     _observe()
     changed = False
@@ -54,7 +53,7 @@ def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) 
 
 
 def keep_verdict(job: SimulatedJob, verdict: Verdict) -> bool:
-    """Store the verdict on a job that was simulated as a whole; return whether its sentence has changed."""
+    """Store the verdict on a job that was simulated as a whole; return whether the stored verdict has changed."""
     if not job.valid_for:
         return False
     _observe()
@@ -65,7 +64,7 @@ def keep_verdict(job: SimulatedJob, verdict: Verdict) -> bool:
 
 
 def verdict_on(job, fingerprints: Iterable[str]) -> JobVerdict | None:
-    """Return the verdict of a simulation of this session on a job, or the valid verdict in the job's mark; else None.
+    """Return the verdict on a job from a simulation of this session, or else from its mark; None if neither is valid.
 
     Parameters
     ----------
@@ -77,7 +76,7 @@ def verdict_on(job, fingerprints: Iterable[str]) -> JobVerdict | None:
 
 
 def with_faults(found: _Found, document: str, name: str) -> _Found:
-    """Return the results of an operation with its fault, if toolpath and setting are unchanged since the simulation.
+    """Return the results of an operation, with its fault if toolpath and setting are unchanged since the simulation.
 
     Parameters
     ----------

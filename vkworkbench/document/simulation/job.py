@@ -26,11 +26,11 @@ class SimulatedOperation:
     document, name, label : str
         Internal names of the document and of the object, and the object's label.
     rapid_feeds : tuple of float
-        Horizontal and vertical rapid speed of its tool controller, mm/s; 0 if unset.
+        Horizontal and vertical rapid speed of the operation's tool controller, mm/s; 0 if unset.
     imported : bool
-        Whether the toolpath may come from a file.
+        Whether the toolpath possibly comes from a G-code file.
     fingerprint : str
-        Fingerprint of path, tool and stock. Until the path is read, fingerprint of the setting alone.
+        Fingerprint of path, tool and stock. Until the path is read, the fingerprint of tool and stock (the setting).
     """
 
     document: str
@@ -52,25 +52,25 @@ class SimulatedJob:
     cuts : tuple of Cut
         Toolpaths and tools of the operations.
     as_read : tuple of Toolpath
-        The toolpaths with the feeds as FreeCAD reads them, mm/s. The recognition uses these toolpaths.
+        The toolpaths with the feeds as FreeCAD's import leaves them. The recognition uses these toolpaths.
     listings : tuple of Listing
         G-code of the operations.
     stock : Solid
     model_shapes : tuple of Shape
         Shapes of the job's model.
     remarks : tuple of Message
-        Parts of the job that the simulation leaves out or simplifies, with the reason.
+        What the simulation leaves out or simplifies in the job, with the reason.
     clamps : mapping of str to Solid
         Solids that no tool may touch, by the labels of their objects.
     unread : tuple of Message
-        The remarks on parts of the job that could not be read. These remarks make the verdict on the job uncertain.
+        The remarks on parts of the job that could not be read, which make the verdict on the job uncertain.
     left_out : tuple of (str, str)
         Internal names of document and object of the operations that are not simulated.
     name : str
         Internal name of the job; empty without a job.
     valid_for : str
-        Fingerprint of the job for its verdict, see `fingerprint_of_job`; empty if only a part of the job is simulated, or with
-        another stock or other clamps.
+        Fingerprint of the job for which the verdict is valid, see `fingerprint_of_job`. Empty if only some operations
+        are simulated, or if the caller has given another stock or other clamps.
     """
 
     operations: tuple[SimulatedOperation, ...]
@@ -88,12 +88,12 @@ class SimulatedJob:
 
     @cached_property
     def model(self) -> Solid | None:
-        """The model of the job; None without a closed model. Computed at the first use."""
+        """The model of the job; None if the job has no closed model. Computed at the first use."""
         return model_solid(self.model_shapes)
 
     @cached_property
     def seconds(self) -> np.ndarray:
-        """Times of the trajectories of all operations, with dwells, (n,) float64 s; NaN for an unknown speed."""
+        """Time of each trajectory of all operations, dwells included, (n,) float64 s; NaN if the speed is unknown."""
         machine = preferences.read().planned_machine
         return np.concatenate([
             trajectory_seconds(cut.toolpath, horizontal_rapid=operation.rapid_feeds[0],

@@ -7,17 +7,19 @@ import numpy as np
 
 from vkworkbench.core import Toolpath
 
-# Minimum number of X positions of passes along Z. With a lower minimum, a mill that leaves one slot sideways counts as
-# a lathe.
+# Minimum number of X positions at which a lathe cuts along Z. Lower: a mill that leaves one slot sideways counts as a
+# lathe. Higher: jobs of a lathe with few passes are simulated as milling.
 _PASSES = 3
-# mm. Positions that differ by less count as one position.
+# Rounding of X positions, mm: positions that are rounded to one value count as one position.
 _PLACE = 1e-3
 
 
 def is_turned(toolpath: Toolpath) -> bool:
-    """Return whether a toolpath in X and Z alone cuts down at `_PASSES` X positions and leaves each pass sideways.
+    """Return whether a toolpath belongs to a lathe.
 
-    A drill leaves a hole upwards, and a mill that never moves along Y cuts farther along X than along Z.
+    The toolpath of a lathe does not move along Y, cuts along -Z at `_PASSES` X positions or more, and leaves each of
+    these cuts sideways. In contrast, a drill leaves a hole upwards, and a mill that does not move along Y cuts a longer
+    way along X than along Z.
     """
     x, y, z = toolpath.points.T
     if np.ptp(y) > 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulate operations of a document. Writes nothing in the document."""
+"""Simulate operations of a document, without changing the document."""
 
 from __future__ import annotations
 
@@ -22,9 +22,11 @@ from vkworkbench.given import of_kind
 from vkworkbench.language import Message
 from vkworkbench.report import SimulatedPart, SimulationFacts, how_many
 
-# Minimum size of an image, as a share of the requested size. A smaller image shows too little.
+# Minimum width of the image, as a share of the requested width. If the memory allows only a smaller image, the
+# simulation is refused, because the image would show too little.
 MIN_SIZE = 1 / 3
-# Allowed rounding error, as a share: an image that is smaller than the stock by less still shows the whole stock.
+# Allowed rounding error of the image's size, as a share: an image that is smaller than the stock by at most this share
+# still counts as an image of the whole stock.
 _ROUNDING = 1e-9
 
 
@@ -37,22 +39,23 @@ def simulate(
     memory_budget: float | None = None,
     going_on: Callable[[float], None] = lambda _: None,
 ) -> Simulation:
-    """Simulate operations in the extended z-buffer, one after the other. Writes nothing in a document.
+    """Simulate operations in the extended z-buffer, one after the other. The document is not changed.
 
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of these objects, optional
         A document with one job, a job, or some of its operations; the active document if None.
     view : View or str, optional
-        The image, or the name of a direction, e.g. ``"Isometric"``. None stands for the direction in the preferences. Without a
-        View, the image is made coarser if it would need too much memory, and a remark of the job says so.
+        The image, or the name of a direction, e.g. ``"Isometric"``. None stands for the direction in the preferences.
+        If no View is given and the image would need too much memory, a coarser image is made, and a remark of the job
+        reports this.
     stock : Simulation or Solid, optional
-        Stock instead of the job's stock: a solid, or what another simulation leaves at its moment. If both jobs have the same model
-        and the second places it elsewhere, as for the other side of a part, the stock is moved with the model.
+        Stock that replaces the job's stock: a solid, or the part that another simulation leaves at its moment. If both
+        jobs have the same model at different places, as for the two sides of a part, the part is moved like the model.
     clamps : iterable of DocumentObject, optional
         Objects that no tool may touch, such as clamps and vices. None stands for the clamps of the job, see `set_clamps`.
     memory_budget : float, optional
-        Largest memory, bytes. None stands for the budget in the preferences.
+        Upper bound for the memory, bytes. None stands for the budget in the preferences.
     going_on : callable, optional
         Called many times a second with the completed share, 0 to 1. An exception from it ends the simulation.
 
@@ -117,12 +120,12 @@ def _coarser_image(image: View, stock: Solid) -> Message:
 
 
 def coarser(view: View, refused: OverBudget) -> View:
-    """Return the finest image of a view that fits in memory.
+    """Return the finest image of a view that fits into the memory budget.
 
     Raises
     ------
     OverBudget
-        The given error, if the image would be smaller than `MIN_SIZE`.
+        The given error `refused`, if the image's share of the view's width would be less than `MIN_SIZE`.
     """
     if refused.size is None or refused.size[0] < MIN_SIZE * view.width:
         raise refused
@@ -132,13 +135,13 @@ def coarser(view: View, refused: OverBudget) -> View:
 def simulate_read(
     job: SimulatedJob, view: View, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
 ) -> Simulation:
-    """Simulate a job that was read; see :func:`simulate`. Runs in any thread, because it uses nothing of FreeCAD."""
+    """Simulate a job that was read; see :func:`simulate`. Any thread may call this function: it does not use FreeCAD."""
     zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
     return Simulation(job, zbuffer, OnceAlongAxis(job, memory_budget))
 
 
 def simulate_solid(what, going_on: Callable[[float], None]) -> Simulation:
-    """Simulate operations along the tool axis only, for the part as a solid; see :func:`simulate`."""
+    """Simulate operations along the tool axis only, to get the part as a solid; see :func:`simulate`."""
     job, budget = read_job(what), preferences.read().memory_budget_bytes
     return Simulation(job, zbuffer_along_axis(job, budget, going_on), OnceAlongAxis(job, budget))
 
@@ -172,10 +175,10 @@ class Simulation(SimulatedPart):
         return add_mesh(self.job.operations[0].document, self.mesh())
 
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
-        """Return what each operation and the job remove, and where they cut air, crash, plunge too fast, gouge or leave material.
+        """Return the removed volumes, air cuts, crashes, fast plunges, gouges and leftover material of the job.
 
-        The facts do not depend on the view and the moment. The facts come from a simulation along the tool axis, which
-        the first call makes, as fine as is useful and as the budgets allow.
+        The facts do not depend on the view and the moment. The first call simulates the job along the tool axis, as
+        finely as is useful and as the budgets allow, and all facts come from this simulation.
 
         Parameters
         ----------
@@ -214,7 +217,7 @@ class Simulation(SimulatedPart):
         return self.job.operations[source.cut], source.command
 
     def _of_solid(self) -> ZBuffer:
-        """Return the z-buffer if its view is along the tool axis and shows all the stock, else the one of the facts."""
+        """Return this z-buffer if it is along the tool axis and shows the whole stock, else the z-buffer of `along_axis`."""
         frame, stock = self.zbuffer.frame, self.job.stock
         beside = np.abs((stock.lower + stock.upper)[:2] / 2 - frame.centre[:2]) + (stock.upper - stock.lower)[:2] / 2
         shown = (beside <= np.array([frame.width, frame.height]) / 2 * frame.pixel * (1 + _ROUNDING)).all()

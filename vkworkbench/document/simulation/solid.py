@@ -28,7 +28,7 @@ def mesh_of(triangles: np.ndarray) -> Mesh.Mesh:
 
 
 def add_mesh(name: str, mesh: Mesh.Mesh) -> FreeCAD.DocumentObject:
-    """Add a mesh to the document with an internal name, in one undo step, and return the new object."""
+    """Add a mesh to the document whose internal name is `name`, in one undo step, and return the new object."""
     document = FreeCAD.getDocument(name)
     with transaction(document, "Add Simulated Part as Mesh"):
         added = document.addObject("Mesh::Feature", "WhatIsLeft")
@@ -37,10 +37,10 @@ def add_mesh(name: str, mesh: Mesh.Mesh) -> FreeCAD.DocumentObject:
 
 
 def stock_after(triangles: np.ndarray, before: tuple, after: tuple) -> tuple[core.Mesh, Message | None]:
-    """Return what one job leaves as the stock of another job, and a remark if it cannot be moved with the model.
+    """Return the part that one job leaves, as the stock of another job, and a remark if the part cannot be moved.
 
-    If both jobs have one model and the second only places it elsewhere, as for the other side of a part, the stock is moved in
-    the same way.
+    If both jobs have the same model at different places, as for the two sides of a part, the part is moved like the
+    model.
 
     Parameters
     ----------

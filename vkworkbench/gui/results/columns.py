@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The columns of the results: seven that are visible by default, and others that the user can choose."""
+"""The columns of the results panel: seven default columns, and further columns that the user can choose."""
 
 from __future__ import annotations
 
@@ -22,23 +22,24 @@ STATE, LENGTH, REASON = "state", "length", "reason"
 
 @dataclass(frozen=True)
 class Column:
-    """One column: its title, tooltip, values and text.
+    """One column of the results panel.
 
     Attributes
     ----------
     key : str
-        Name in the preferences.
+        Name of the column in the preferences.
     title, tooltip : str
     value : callable
-        Returns the number or text of a row, or None.
+        Returns the value of a row: a number, a text, or None.
     shown : callable
         Returns the text that the column shows for a value.
     factor : callable or None
-        For an estimated time: returns the factor of a row. The true time is between time / factor and time * factor.
+        For an estimated time: returns the factor of a row. The measured time is expected to be between
+        time / factor and time * factor.
     least : callable
         Returns whether the value of a row is a lower bound.
     note : callable
-        Returns a sentence on the value of a row, or an empty text.
+        Returns a sentence that explains the value of a row, or an empty text.
     """
 
     key: str
@@ -52,13 +53,13 @@ class Column:
 
     @property
     def name(self) -> str:
-        """The title in one line, without a hyphen at the line break, and without a space in Chinese."""
+        """The title in one line. A line break becomes a space, except after a hyphen and between Chinese letters."""
         first, _, second = self.title.replace("-\n", "").partition("\n")
         together = not second or (is_chinese(first[-1:]) and is_chinese(second[:1]))
         return first + second if together else f"{first} {second}"
 
     def text(self, row: Row) -> str:
-        """Return the text of a row; empty without a value."""
+        """Return the text of a row in this column; empty if the row has no value."""
         value = self.value(row)
         if value is None:
             return ""
@@ -66,7 +67,7 @@ class Column:
         return ("≥ " if self.least(row) else "") + text
 
     def remark(self, row: Row) -> str:
-        """Return the range of a rough estimate and the note on a value as text; empty without both."""
+        """Return the range of a rough estimate and the note on its value as text; empty if there is neither."""
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None:
             return ""
@@ -78,14 +79,14 @@ class Column:
 
 
 def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
-    """Return the default columns and the other columns.
+    """Return the default columns, and the further columns that the user can choose.
 
     Parameters
     ----------
     version : tuple of int
-        Version of FreeCAD, which determines the simulators.
+        Version of FreeCAD, which determines the available simulators.
     marked : str
-        Name of the simulator whose time the marks show.
+        Name of the simulator whose time the marks in the tree show.
     """
     simulators = available(version)
     time = translate("Vk_Results", "Time in the {simulator}, as the marks show it.")
@@ -137,7 +138,7 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
 
 
 def _of_machining(row: Row) -> str:
-    """Return what a machining time includes."""
+    """Return the note on a machining time: what the time includes."""
     if not row.found.setup.planned:
         return translate("Vk_Results", "At constant feed. Choose your machine in the preferences, page Machine.")
     note = compare_setups(row.found) if row.is_total else None
@@ -145,13 +146,13 @@ def _of_machining(row: Row) -> str:
 
 
 def _beside_sum(simulator: str, row: Row) -> str:
-    """Return why the simulation time of a job is not the sum of its operations."""
+    """Return why a job's simulation time is not the sum of its operations' times; empty if the reason is not needed."""
     note = compare_with_sum(row.found, (one.found for one in row.rows if one.is_counted), simulator)
     return sentence(note) if note else ""
 
 
 def _as(kind: str) -> Callable[[object], str]:
-    """Return a function that formats numbers by a method of the reader, given by its name."""
+    """Return a function that formats a number for the user by the method `kind` of `Reader`."""
     return lambda value: getattr(user(), kind)(value)  # noqa: PLW0108 - the user at the time of the call
 
 
@@ -181,7 +182,7 @@ def _is_bound(row: Row) -> bool:
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Return the columns with time and memory of a simulator, for an operation or a whole job."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
-    # Our simulator is named after its command.
+    # The simulator of this add-on has the name of its command.
     called = translate("Vk_Simulate", "Simulate Toolpaths") if simulator is ZBUFFER else user().simulator(name)
     time, memory = translate("Vk_Results", "{simulator}\nTime"), translate("Vk_Results", "{simulator}\nMemory")
     return (
@@ -193,7 +194,7 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
 
 
 def _of_advice(simulator: Simulator) -> Column:
-    """Return the column with the finest setting of a simulator within the budgets; zeros without one."""
+    """Return the column with the finest setting of a simulator that is within the budgets for time and memory."""
     advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
 
     def numbers(row: Row) -> tuple[int, ...] | None:

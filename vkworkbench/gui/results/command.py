@@ -13,7 +13,7 @@ _HEIGHT = 300  # height of the panel, px
 
 
 class ResultsCommand(DocumentCommand):
-    """Show the results panel and give it the keyboard's focus, or hide it if it has the focus."""
+    """Show the results panel and give it the keyboard focus; hide the panel if it has the focus already."""
 
     name = "Vk_Results"
     menu = QT_TRANSLATE_NOOP("Vk_Results", "Toolpath Results")
@@ -33,14 +33,14 @@ class ResultsCommand(DocumentCommand):
 
 
 def refresh() -> None:
-    """Let the results panel, if there is one, show the results of the active document after pending events."""
+    """Refresh the results panel, if it exists, after Qt's pending events."""
     dock = docks.find(docks.RESULTS)
     if dock is not None:
         dock.refresh_soon()
 
 
 def show() -> None:
-    """Show the results panel and refresh it after pending events, without moving the focus."""
+    """Show the results panel without moving the keyboard focus, and refresh the panel after Qt's pending events."""
     from vkworkbench.gui.results.panel import ResultsDock
 
     dock = docks.find(docks.RESULTS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The details of a row as HTML: plain words first, the paper's terms behind the link "Why?"."""
+"""The details of a row as HTML: first a description in plain words; the link "Why?" opens the terms of the paper."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  #
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-# Columns that the details do not list in a table.
+# Columns whose values the details do not list in a table, because they are shown elsewhere.
 _APART = {OPERATION, STRATEGY, WARNINGS, NOTES, STATE, LENGTH, REASON}
 
 
@@ -31,7 +31,7 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
     first, others : list of Column
         The default columns and the other columns.
     opened : set of str
-        Links that were opened.
+        Targets of the links whose contents are shown.
     """
     parts = [_title(row)]
     if row.strategy is not None and not is_switched_off(row.mark):
@@ -82,14 +82,14 @@ def _cells(row: Row, columns: list) -> list[tuple[str, str, str]]:
 
 
 def _machining(row: Row) -> list[tuple[str, str, str]]:
-    """Return lengths, and remarks on moves that the machining time does not include."""
+    """Return the lengths of a row's moves, and remarks on moves that the machining time does not include."""
     if not row.found.trajectories:
         return []
     length = user().length
     cells = [(translate("Vk_Results", "Cutting Length"), length(row.found.length), "")]
     if row.is_total:
         return cells
-    if isinstance(row.found, OperationReport):  # a mark does not store these lengths
+    if isinstance(row.found, OperationReport):  # a mark does not store the rapid length and the depth
         machining = row.found.machining
         cells.append((translate("Vk_Results", "Rapid Length"), length(machining.rapid_length), ""))
         if machining.depth is not None:
@@ -98,7 +98,7 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
 
 
 def _moves(row: Row) -> list[tuple[str, str, str]]:
-    """Return the shortest and the median length of moves at feed. Thousands of tiny moves explain a long time."""
+    """Return the shortest and the median length of feed moves. Thousands of tiny moves explain a long simulation."""
     if row.is_total or not isinstance(row.found, OperationReport) or row.found.machining.median is None:
         return []
     machining, measure = row.found.machining, user().measure

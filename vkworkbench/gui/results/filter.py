@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The line above the results: the filter and the panel's menus."""
+"""The line above the rows of the results panel: the filter and the panel's menus."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from vkworkbench.gui.qt.text import explain, translate
 
 
 class Filter(QWidget):
-    """A filter by text, strategy and warnings.
+    """Lets the user filter the rows of the results panel by text, by strategy and by warnings.
 
     Attributes
     ----------
     changed : callable
-        Called after each change.
+        Called after each change of the filter.
     """
 
     def __init__(self, menus: Sequence[QMenu]) -> None:
@@ -63,7 +63,7 @@ class Filter(QWidget):
         return self.warnings.isChecked()
 
     def offer(self, present: set[Strategy]) -> None:
-        """List these strategies and the chosen strategy."""
+        """Offer the strategies that are present in the results, and the strategy that is chosen already."""
         chosen = self.strategy
         offered = [strategy for strategy in Strategy if strategy in present or strategy is chosen]
         listed = [self.strategies.itemData(i) for i in range(self.strategies.count())]

@@ -21,9 +21,9 @@ class Finding:
     ----------
     operation : Operation
     mark : Record
-        The mark of the operation, which is shown.
+        The results that the mark of the operation stores.
     report : OperationReport or None
-        The report of the mark, with all numbers; None if the operation was not analysed in this session.
+        The same results with all numbers; None if the operation was not analysed in this session.
     """
 
     operation: Operation
@@ -43,7 +43,7 @@ def read_findings(document) -> list[Finding]:
 
 
 def report_of(findings: list[Finding]) -> Report | None:
-    """Return the report of these operations; None if an operation has a mark but no report."""
+    """Return one report on these operations; None if an operation has a mark but was not analysed in this session."""
     operations = tuple(finding.report for finding in findings)
     if None in operations:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A tree whose first column stays visible while the other columns are scrolled, as in a Qt example."""
+"""A tree whose first column stays visible while the other columns are scrolled, like Qt's example "Frozen Column"."""
 
 from __future__ import annotations
 
@@ -11,13 +11,15 @@ _MIN_ROWS = 2  # number of visible rows; the titles are hidden if there is less 
 
 
 class FrozenTree(QTreeView):
-    """A tree that shows its first column in a second tree, which covers the column while the tree is scrolled sideways.
+    """A tree whose first column stays visible.
+
+    While the tree is scrolled sideways, a second tree on top of it shows the first column.
 
     Parameters
     ----------
     model : QAbstractItemModel
     copy, enter : callable
-        `copy` is called for Ctrl+C, `enter` for the Enter key or a double click.
+        `copy` is called for Ctrl+C; `enter` is called for the Enter key or a double click.
     """
 
     def __init__(self, model, copy: Callable[[], None], enter: Callable[[], None]) -> None:
@@ -29,14 +31,14 @@ class FrozenTree(QTreeView):
         self._above.setFrameShape(QFrame.NoFrame)
         self._above.setStyleSheet(
             "#frozen { border: none; border-radius: 0; margin: 0; padding: 0 }"
-        )  # many themes set these for every tree
+        )  # many themes set borders and margins for every tree
         self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.hide()
         for view in (self, self._above):
             view.setModel(model)
             view.setUniformRowHeights(True)
-            view.setTextElideMode(Qt.ElideMiddle)  # labels often differ at the end only
+            view.setTextElideMode(Qt.ElideMiddle)  # labels of operations often differ only at the end
             view.setAlternatingRowColors(True)
             view.setExpandsOnDoubleClick(False)
             view.setSelectionMode(QAbstractItemView.ExtendedSelection)
@@ -62,7 +64,7 @@ class FrozenTree(QTreeView):
         self._above.header().sectionClicked.connect(self._sort)
 
     def show_menus(self, of_titles: Callable, of_rows: Callable) -> None:
-        """Show the menus that functions return when a title or a row is clicked with the right button."""
+        """Show a context menu for a right click: the result of `of_titles` on a title, of `of_rows` on a row."""
         for view in (self, self._above):
             for part, place, menu in ((view.header(), view.header(), of_titles), (view, view.viewport(), of_rows)):
                 part.setContextMenuPolicy(Qt.CustomContextMenu)
@@ -71,13 +73,13 @@ class FrozenTree(QTreeView):
                 )
 
     def drawRow(self, painter, option, index) -> None:
-        """Do not paint behind the frozen column, because trees are transparent in FreeCAD 1.1's theme."""
+        """Paint a row without its part under the frozen column, because FreeCAD 1.1's theme makes trees transparent."""
         if not self._above.isHidden():
             painter.setClipRect(self.viewport().rect().adjusted(self.columnWidth(0), 0, 0, 0))
         super().drawRow(painter, option, index)
 
     def scrollTo(self, index, hint=QAbstractItemView.EnsureVisible) -> None:
-        """Scroll vertically only, so that the visible columns stay."""
+        """Scroll to a row, but not sideways, so that the same columns stay visible."""
         sideways = self.horizontalScrollBar().value()
         super().scrollTo(index, hint)
         self.horizontalScrollBar().setValue(sideways)
@@ -99,7 +101,7 @@ class FrozenTree(QTreeView):
 
     def resizeEvent(self, event) -> None:
         super().resizeEvent(event)
-        # Hide the titles on a low screen, where they would leave no room for rows.
+        # Hide the titles of the columns on a low screen, where they would leave no room for rows.
         around = self.header().sizeHint().height() + self.horizontalScrollBar().sizeHint().height()
         self.header().setVisible(self.height() - around >= _MIN_ROWS * self.fontMetrics().lineSpacing())
         self._place()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn from the measured time of a job: the factor by which the machine is slower than planned."""
+"""Calibrate machining times by a measured time: store the factor by which the machine is slower than computed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ from vkworkbench.report import Cancelled
 
 
 def learn(row: Row, parent: QWidget) -> bool:
-    """Ask for the measured time of an operation or job, and store the factor. Return whether it was stored."""
+    """Ask for the time that the machine took for an operation or job, and store the factor for the computed times.
+
+    Return whether the factor was stored.
+    """
     title = translate("Vk_Results", "Measured Time")
     label = translate("Vk_Results", "Time that {label} took on the machine, in minutes and seconds, such as 17:30:")
     planned = row.found.machining_seconds
@@ -34,6 +37,6 @@ def learn(row: Row, parent: QWidget) -> bool:
 
 
 def analyze_again(document) -> None:
-    """Update all marks of a document, without an undo step."""
+    """Analyse a document again and update all its marks, without an undo step."""
     with suppress(Cancelled):
         marking.mark(progress.analyze(document), undo_step=False)

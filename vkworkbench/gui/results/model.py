@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Qt models of the results: a tree of jobs and operations, and its order and filter."""
+"""Qt models of the results panel: a tree of jobs and operations, and a model that sorts and filters the tree."""
 
 from __future__ import annotations
 
@@ -24,13 +24,16 @@ from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree.notices import Level
 
 VALUE = Qt.UserRole  # role of the value by which a column is sorted
-_LEFT, _RIGHT = 0x81, 0x82  # combined with Qt.AlignVCenter; numbers, because some PySide versions refuse the flags
+_LEFT, _RIGHT = 0x81, 0x82  # alignment with Qt.AlignVCenter; as numbers, because some PySide versions refuse flags
 _SWATCH = 12  # side of the square in the colour of a strategy, px
 _ICONS = {Level.WARNING: QStyle.SP_MessageBoxWarning, Level.ERROR: QStyle.SP_MessageBoxCritical}
 
 
 class ResultsModel(QAbstractItemModel):
-    """The rows of the results. The internal id of an index is 0 for a job, else 1 + the number of the job."""
+    """The tree of jobs and operations.
+
+    The internal id of an index is 0 for a row at the top (a job), and 1 + the number of its job for an operation.
+    """
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
@@ -44,7 +47,7 @@ class ResultsModel(QAbstractItemModel):
         self.endResetModel()
 
     def _choose_columns(self) -> None:
-        """Create the columns for the present preferences. Their number and keys never change."""
+        """Create the columns for the current preferences. The number of columns and their keys never change."""
         self.first, self.others = columns(freecad.version(), preferences.read().simulator)
         self.columns = [*self.first, *self.others]
 
@@ -105,7 +108,7 @@ class ResultsModel(QAbstractItemModel):
 
 @lru_cache(None)
 def _swatch(color: str) -> QIcon:
-    """Return an icon of one colour, which stays the same in a selected row."""
+    """Return an icon that is a square of one colour. The colour does not change in a selected row."""
     square = QPixmap(_SWATCH, _SWATCH)
     square.fill(QColor(color))
     icon = QIcon(square)
@@ -120,14 +123,24 @@ def _tooltip(row: Row, column) -> str:
 
 
 class ResultsOrder(QSortFilterProxyModel):
-    """Sorts the operations of each job, empty cells last, and hides rows that do not match the filter."""
+    """Sorts the operations of each job, with empty cells at the end, and hides rows that do not match the filter."""
 
     def __init__(self, parent=None) -> None:
         super().__init__(parent)
         self._text, self._strategy, self._warned = "", None, False
 
     def choose(self, text: str, strategy, warned: bool) -> None:
-        """Show operations with this text in name, strategy or warnings, with this strategy, and with warnings if `warned`."""
+        """Show only operations that match all three conditions.
+
+        Parameters
+        ----------
+        text : str
+            Text that the operation's name, strategy or warnings must contain.
+        strategy : Strategy or None
+            Strategy of the operation; None for any strategy.
+        warned : bool
+            Whether to show only operations that have warnings or are outdated.
+        """
         self._text, self._strategy, self._warned = text.casefold(), strategy, warned
         self.invalidateFilter()
 
@@ -155,6 +168,6 @@ class ResultsOrder(QSortFilterProxyModel):
         model = self.sourceModel()
         column = model.columns[index.column()]
         value = column.value(model.row(index))
-        # Qt reverses a descending order, so empty cells must then come first to stay at the bottom.
+        # For a descending order Qt reverses the rows, so empty cells must come first here to be at the bottom.
         empty = (value is None) == (self.sortOrder() == Qt.AscendingOrder)
         return empty, value.casefold() if isinstance(value, str) else value if value is not None else 0

@@ -43,14 +43,14 @@ _MIN_LINES = 3  # minimum height of tree and details, in lines of text
 
 
 class ResultsDock(QDockWidget):
-    """Shows the results of the active document. Its selection and FreeCAD's selection follow each other."""
+    """Shows the results of the active document. Selecting a row selects its object in FreeCAD, and vice versa."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_Results", "Toolpath Results"), parent)
         self.setObjectName(docks.RESULTS)
         self._findings: list[findings.Finding] = []
-        self._following = False  # whether the tree is being changed to follow FreeCAD
-        self._opened: set[str] = set()  # opened links of the details
+        self._following = False  # whether the program, not the user, is changing the rows and their selection
+        self._opened: set[str] = set()  # targets of the links in the details whose contents are shown
         self._stale = single_shot(self.refresh, self)
         self._selected = single_shot(self._follow, self)
 
@@ -60,7 +60,7 @@ class ResultsDock(QDockWidget):
         self.order.setSortRole(VALUE)
         self.tree = FrozenTree(self.order, copy=self._copy, enter=self._look_at)
         self.tree.setSortingEnabled(True)
-        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # in the order of posting, until the user sorts
+        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # the order of posting, until the user sorts the rows
         self.tree.selectionModel().selectionChanged.connect(self._select)
         self.tree.show_menus(of_titles=lambda: self.columns, of_rows=lambda: self.row_menu)
         self.tree.setAccessibleName(translate("Vk_Results", "Jobs and Operations"))
@@ -85,7 +85,8 @@ class ResultsDock(QDockWidget):
         self._parts = QSplitter(Qt.Horizontal)
         self._parts.addWidget(self.tree)
         self._parts.addWidget(self.details)
-        # With Qt's default minimum the window would not fit on a low screen. Themes reset this minimum on the child widgets.
+        # With Qt's default minimum height, FreeCAD's window would not fit on a low screen. The minimum is set here and
+        # not on the tree and the details, because themes reset the minimum heights of these two widgets.
         self._parts.setMinimumHeight(_MIN_LINES * self.tree.fontMetrics().height())
         self._parts.setStretchFactor(0, 3)
         self._parts.setStretchFactor(1, 2)
@@ -108,7 +109,7 @@ class ResultsDock(QDockWidget):
         return action
 
     def _menu_of_rows(self) -> QMenu:
-        """Return the context menu of the rows: FreeCAD's selection follows the rows, so commands act on them."""
+        """Return the context menu of the rows. Its commands act on FreeCAD's selection, which follows the rows."""
         menu = QMenu(self)
         for name in ("Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Simulate"):
             menu.addActions(Gui.Command.get(name).getAction())
@@ -117,7 +118,7 @@ class ResultsDock(QDockWidget):
         return menu
 
     def _columns_menu(self) -> QMenu:
-        """Return the menu for choosing columns and restoring the order of posting."""
+        """Return the menu in which the user chooses the columns and restores the order of posting."""
         menu = QMenu(translate("Vk_Results", "Col&umns"), self)
         chosen = preferences.read().result_columns.split(",")
         for column in self.model.columns[1:]:
@@ -139,7 +140,7 @@ class ResultsDock(QDockWidget):
         preferences.write(result_columns=",".join(changed))
 
     def _show_columns(self) -> None:
-        """Show the chosen columns. The columns of states and notes are shown only if a row has a state or a note."""
+        """Show the chosen columns. The columns "State" and "Notes" are shown only if a row has a text in them."""
         rows = [row for job in self.model.rows for row in (job, *job.rows)]
         for number, action in enumerate(self._choices, 1):
             column = self.model.columns[number]
@@ -159,14 +160,14 @@ class ResultsDock(QDockWidget):
         self._parts.setOrientation(Qt.Horizontal if self.width() > self.height() else Qt.Vertical)
         super().resizeEvent(event)
 
-    # FreeCAD calls these when the selection changes.
+    # FreeCAD calls the following methods when its selection changes.
 
     def addSelection(self, *what) -> None:
         self._selected.start()
 
     setSelection = removeSelection = clearSelection = addSelection
 
-    # FreeCAD calls these methods when documents change.
+    # FreeCAD calls the following methods when documents change.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in ("Label", "Label2", "Group", MARK):
@@ -178,7 +179,7 @@ class ResultsDock(QDockWidget):
     slotDeletedObject = slotDeletedDocument = slotActivateDocument
 
     def refresh_soon(self) -> None:
-        """Show the results of the active document after pending events."""
+        """Show the results of the active document after Qt's pending events."""
         self._stale.start()
 
     def refresh(self) -> None:
@@ -208,7 +209,7 @@ class ResultsDock(QDockWidget):
         self._follow()
 
     def _indexes(self, parent=None):
-        """Yield indexes and rows that match the filter, from top to bottom."""
+        """Yield each row that matches the filter, with its index, from top to bottom."""
         above = () if parent is None else (parent,)
         for number in range(self.order.rowCount(*above)):
             index = self.order.index(number, 0, *above)
@@ -252,7 +253,7 @@ class ResultsDock(QDockWidget):
         return [self.order.row(index) for index in self.tree.selectionModel().selectedRows()]
 
     def _explain(self) -> None:
-        """Show the details of the selected row, or of several rows together."""
+        """Show the details of the selected row; of several selected rows, the details of their totals."""
         rows = self._selected_rows()
         first, others = self.model.first, self.model.others
         if FreeCAD.ActiveDocument is None:
@@ -267,7 +268,8 @@ class ResultsDock(QDockWidget):
             text = page(rows[0], first, others, self._opened)
         else:
             text = "".join(page(row, first, others, self._opened) for row in self._together(rows))
-        # Adapt the colour of links to the painted background, because a style sheet does not change the palette.
+        # Adapt the colour of links to the background as painted, because a theme's style sheet does not change the
+        # palette.
         viewport = self.details.viewport()
         behind = viewport.grab(viewport.rect().adjusted(1, 1, 2 - viewport.width(), 2 - viewport.height()))
         color = readable(QColor(colors.LINK), behind.toImage().pixelColor(0, 0))
@@ -275,7 +277,7 @@ class ResultsDock(QDockWidget):
         self.details.setHtml(unbroken(text))
 
     def _together(self, rows: list[Row]) -> list[Row]:
-        """Return a total for each job of the rows, labelled as a selection."""
+        """Return one total for each job to which the rows belong. The label says that it covers only the selection."""
         names = {row.name for row in rows if not row.is_total}
         chosen = [finding for finding in self._findings if finding.operation.object.Name in names]
         text = translate("Vk_Results", "Selection in {job}")
@@ -302,7 +304,7 @@ class ResultsDock(QDockWidget):
         self.details.verticalScrollBar().setValue(where)
 
     def _export(self, ending: str) -> None:
-        """Save all numbers. Operations that have only a mark are analysed first."""
+        """Save all numbers of the results. If an operation has only a mark, analyse the document first."""
         report = findings.report_of(self._findings)
         if report is None:
             try:
@@ -314,7 +316,7 @@ class ResultsDock(QDockWidget):
         save(report, FreeCAD.ActiveDocument, ending, self)
 
     def _copy(self) -> None:
-        """Copy the selected rows as shown, or all rows without a selection."""
+        """Copy the visible columns of the selected rows to the clipboard; without a selection, of all rows."""
         selected = {row.name for row in self._selected_rows()}
         rows = [row for _, row in self._indexes() if not selected or row.name in selected]
         header = self.tree.header()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of the results: jobs with their totals, and their operations, each with notices."""
+"""The rows of the results panel: jobs with their totals, and the operations of each job, each row with notices."""
 
 from __future__ import annotations
 
@@ -26,22 +26,22 @@ _SIMILAR = 1.5  # a note explains FreeCAD's CycleTime if it differs from the mac
 
 @dataclass(frozen=True)
 class Row:
-    """One operation or one total.
+    """One operation, or the total of one job.
 
     Attributes
     ----------
     found : OperationReport, Record or Total
-        The numbers; from the mark if the operation was not analysed since the document was opened.
+        The numbers of the row. They come from the mark if the operation was not analysed in this session.
     name, label : str
-        Internal name of the operation or job, and its present label.
+        Internal name of the operation or job, and its current label.
     notices : tuple of Notice
-        Notices, the most severe first.
+        Errors, warnings and notes, the most severe first.
     outdated : bool
         Whether toolpath, tool or stock have changed since the analysis.
     mark : Record or None
         The mark of an operation; None for a total.
     posted : int
-        Number of the job's operations that are posted; 0 for an operation.
+        Number of operations that the job posts; 0 for the row of an operation.
     rows : tuple of Row
         The operations of a job.
     is_counted : bool
@@ -73,7 +73,7 @@ class Row:
 
     @property
     def machining_complete(self) -> bool:
-        """Whether the machining time includes all moves. Otherwise the machining time is a lower bound."""
+        """Whether the machining time includes all moves. If not, the machining time is a lower bound."""
         return self.found.machining_complete if self.is_total else not self.found.left_out
 
     @property
@@ -81,17 +81,17 @@ class Row:
         return max((notice.level for notice in self.notices), default=Level.NOTE)
 
     def texts(self, *, warned: bool) -> list[str]:
-        """Return the texts of the notices with a sign in the tree, or of the other notices, the notes."""
+        """Return the texts of the warnings and errors (`warned`), which have a sign in the tree, or of the notes."""
         return [notice.text for notice in self.notices if (notice.level > Level.NOTE) == warned]
 
     @property
     def is_warned(self) -> bool:
-        """Whether the mark has a sign in the tree."""
+        """Whether the row has a warning or an error, for which its mark has a sign in the tree."""
         return self.level > Level.NOTE
 
 
 def rows_of(findings: Iterable[Finding]) -> list[Row]:
-    """Return the jobs with their operations, then operations without a job."""
+    """Return a row for each job, with its operations, then a row for each operation without a job."""
     jobs, below = {}, {}
     for finding in findings:
         job = finding.operation.job
@@ -116,7 +116,7 @@ def _operation(finding: Finding, chosen: Preferences) -> Row:
 
 def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     counted = [finding for finding in findings if finding.operation.counted]
-    # Advice needs full reports, because marks do not store all numbers.
+    # Advice on the settings of simulators needs full reports, because marks do not store all numbers.
     budget = None if any(finding.report is None for finding in counted) else chosen.budget
     numbers = [finding.report or finding.mark for finding in counted]
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
@@ -125,7 +125,7 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
         mark = marks.read_total(job)  # the total in the mark was computed from full reports
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
-    # Build the record as for the job's mark, but do not compute the costs in simulators that are not shown.
+    # Build the record of the total as for the job's mark, but without computing costs in simulators that are not shown.
     of_parts, own = of_total(replace(total, costs={}), [f.mark for f in counted], ""), read_with_faults(job)
     record = replace(of_parts, costs=total.costs, verdict=own and own.verdict)
     notices = notices_of(record, chosen)
@@ -144,7 +144,10 @@ def _differ(theirs: float, ours: float) -> bool:
 
 
 def in_total(row: Row) -> str:
-    """Return the number of operations in a job's total and of work offsets, e.g. "2 of 3 operations" or "3 operations x2"."""
+    """Return how many operations a job's total includes, and for how many work offsets.
+
+    Examples: "2 of 3 operations"; "3 operations x2" for two work offsets.
+    """
     count, times = row.found.operations, f" x{row.found.fixtures}" if row.found.fixtures > 1 else ""
     if count < row.posted:
         return translate("Vk_Results", "{count} of {all} operations").format(count=count, all=row.posted) + times

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD's own simulators: noticing that one is started, and the warning before it."""
+"""Notice that the user starts one of FreeCAD's simulators, and warn if it would hang or take too long."""

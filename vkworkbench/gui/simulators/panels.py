@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panels of FreeCAD's simulators, and the operations chosen in them. Does not import numpy."""
+"""The task panels of FreeCAD's simulators, and the operations chosen in them. This module does not import numpy."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ _PARTS = {
 
 
 def panels() -> list[QWidget]:
-    """Return the simulators' panels that are open and work; all panels have the same name.
+    """Return the open panels of FreeCAD's simulators whose widgets can be used. All panels have the same Qt name.
 
     FreeCAD 1.x keeps closed panels, and PySide can confuse widgets of the next panel with deleted widgets at the same
-    address. Then FreeCAD reports that its command failed, and the panel or its widgets are not found.
+    address. Then FreeCAD reports that its command failed, and the panel is not in the result.
     """
     return [
         panel
@@ -32,12 +32,12 @@ def panels() -> list[QWidget]:
 
 
 def simulator_of(panel: QWidget) -> str:
-    """Return the name of the simulator that has this panel. Only the legacy simulator has a button for fast-forward."""
+    """Return the name of the simulator with this panel. Only the legacy simulator's has a button for fast-forward."""
     return "OpenGL" if panel.findChild(QToolButton, "toolButtonFF") is None else "legacy"
 
 
 def chosen_in(panel: QWidget) -> tuple[object, list]:
-    """Return the chosen job and the ticked operations of a simulator's panel; no operations if they are unknown."""
+    """Return the job and the ticked operations in a simulator's panel; no operations if the list does not fit the job."""
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
     operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
@@ -48,7 +48,7 @@ def chosen_in(panel: QWidget) -> tuple[object, list]:
 
 
 def tick(panel: QWidget, operations: list) -> None:
-    """Tick these operations in a simulator's panel, and no others."""
+    """Tick these operations in a simulator's panel, and untick all other operations."""
     job, _ = chosen_in(panel)
     listed = panel.findChild(QListWidget, "listOperations")
     for row, obj in enumerate(filter(is_active, freecad.OPERATIONS.of(job).OutList)):
@@ -56,7 +56,7 @@ def tick(panel: QWidget, operations: list) -> None:
 
 
 def close() -> None:
-    """Close a simulator's panel by its own button, which removes its objects from the document."""
+    """Close a simulator's panel by its own button, which also removes the simulator's objects from the document."""
     docks = [dock for dock in widgets.docks() if dock.objectName() in freecad.TASK_DOCKS]
     for buttons in widgets.find(QDialogButtonBox):
         if any(dock.isAncestorOf(buttons) for dock in docks):

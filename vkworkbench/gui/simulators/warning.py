@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A line over the 3D view when a started simulator of FreeCAD would hang or take too long.
+"""A warning line over the 3D view, shown if a simulator of FreeCAD that the user opens would hang or take too long.
 
-The line does not block the window, and offers a faster way. Its text comes from marks that are not outdated.
+The line does not block the window, and offers a faster way. The warning uses only marks that are not outdated.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.gui.simulators import panels as simulator_panels
 
 NAME = "VkSimulatorWarning"
-_MARGIN = 8  # px between the line and the view's edges
-_LOOK = 200  # ms between two checks whether the panel is still open
-# Style of the line over the 3D view, the same in every theme.
+_MARGIN = 8  # px between the warning line and the edges of the 3D view
+_LOOK = 200  # ms between two checks whether the simulator's panel is still open
+# Style of the warning line, the same in every theme.
 _STYLE = """
 QFrame#VkSimulatorWarning { background-color: #fff4ce; border: 1px solid #c77700; border-radius: 4px; }
 QLabel { background-color: transparent; color: #1a1a1a; border: none; }
@@ -48,7 +48,7 @@ QToolButton:hover, QToolButton:focus { background-color: #f0dca0; }
 
 
 class Line(QFrame):
-    """The line: its text, a button for the faster way, and a button to close the line."""
+    """The warning line: a text, a button that starts the faster way, and a button that closes the line."""
 
     def __init__(self, area: QMdiArea) -> None:
         super().__init__(area)
@@ -73,7 +73,7 @@ class Line(QFrame):
         return False
 
     def place(self) -> None:
-        """Place the line across the top of the views, as high as its text needs."""
+        """Place the line across the top of FreeCAD's views. The height of the line depends on its text."""
         area = self.parentWidget()
         width = area.width() - 2 * _MARGIN
         self.setGeometry(_MARGIN, area.viewport().y() + _MARGIN, width, self.heightForWidth(width))
@@ -85,9 +85,9 @@ class Line(QFrame):
 
 
 class OpenPanel(QObject):
-    """The warning while a simulator's panel is open. The warning follows the ticks of the operations in the panel.
+    """Shows the warning while a simulator's panel is open, and updates it when the user ticks other operations.
 
-    The line is the parent of this object, which keeps no reference to the panel, see `widgets`.
+    The parent of this object is the warning line. The object keeps no reference to the panel, see `widgets`.
     """
 
     def __init__(self, panel: QWidget, simulator: str) -> None:
@@ -99,8 +99,8 @@ class OpenPanel(QObject):
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        self._changed = single_shot(self._say, self)  # all ticks of a list can change at once
-        self._open = QTimer(self)  # not a signal of the panel, because PySide would keep the deleted widget
+        self._changed = single_shot(self._say, self)  # delayed, because all operations can be ticked at once
+        self._open = QTimer(self)  # a signal of the panel is not used, because PySide would keep the deleted widget
         self._open.timeout.connect(self._look)
         self._open.start(_LOOK)
         panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start())
@@ -130,17 +130,17 @@ class OpenPanel(QObject):
         self._line.hide()
 
     def _take(self) -> None:
-        """Start the faster way."""
+        """Start the faster way that the warning suggests."""
         way, panel = self._found.way, next(iter(simulator_panels.panels()), None)
         self._end()
-        if panel is None:  # the panel was closed since the last check
+        if panel is None:  # the panel was closed after the last check
             return
         if way == self._simulator:
             panel.findChild(QToolButton, "toolButtonFF").click()
             return
         job, operations = simulator_panels.chosen_in(panel)
         simulator_panels.close()
-        # Start after FreeCAD has removed the panel.
+        # Start the other simulator after FreeCAD has removed the panel.
         QTimer.singleShot(0, lambda: _start(way, job, operations))
 
 
@@ -160,7 +160,7 @@ def _title(way: str, simulator: str) -> str:
 
 
 def _start(way: str, job, operations: list) -> None:
-    """Simulate a job's operations in one of FreeCAD's simulators, the legacy one in fast-forward, or in our tab."""
+    """Simulate operations in this add-on's tab, or in a simulator of FreeCAD (the legacy one in fast-forward)."""
     if way == better_way.OURS:
         from vkworkbench.gui.simulation.command import open_tab
 
@@ -171,7 +171,7 @@ def _start(way: str, job, operations: list) -> None:
     command = freecad.simulator_command(way)
     Gui.runCommand(command)
     if not Gui.Control.activeDialog():
-        Gui.runCommand(command)  # FreeCAD 1.0 fails to open a panel now and then (benchmarks/freecad_dead_widgets.py)
+        Gui.runCommand(command)  # FreeCAD 1.0 sometimes fails to open the panel (benchmarks/freecad_dead_widgets.py)
     for panel in simulator_panels.panels():
         simulator_panels.tick(panel, operations)
         button = panel.findChild(QToolButton, "toolButtonFF")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Notices that the user starts one of FreeCAD's simulators. Imports numpy only after a start.
+"""Notice that the user starts one of FreeCAD's simulators. This module imports numpy only after such a start.
 
-Menus, drop-down buttons and macros can start a simulator, but not all of them trigger the command's action. A task
-panel always opens, so this module watches the task view for a new child, which each task adds.
+Menus, drop-down buttons and macros can start a simulator, but not all of them trigger the action of its command. A task
+panel always opens, so this module watches FreeCAD's task view for a new child widget, which each task adds.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class TaskWatch(QObject):
 
     def __init__(self, view: QWidget) -> None:
         super().__init__(view)
-        self._changed = single_shot(self._look, self)  # after FreeCAD has completed the panel
+        self._changed = single_shot(self._look, self)  # delayed until FreeCAD has completed the panel
         view.installEventFilter(self)
 
     def eventFilter(self, view, event) -> bool:
@@ -36,18 +36,18 @@ class TaskWatch(QObject):
                 _opened(panel)
 
 
-_watched: dict[QWidget, TaskWatch] = {}  # Python deletes a watch unless it is referenced
+_watched: dict[QWidget, TaskWatch] = {}  # references without which Python would delete the event filters
 
 
 def watch() -> None:
-    """Watch all existing task views, each once."""
+    """Watch all existing task views of FreeCAD. A task view that is watched already is skipped."""
     for view in widgets.find(QWidget):
         if view.metaObject().className() == "Gui::TaskView::TaskView" and view not in _watched:
             _watched[view] = TaskWatch(view)
 
 
 def _opened(panel: QWidget) -> None:
-    """Show the warning of the marks for a simulator's panel."""
+    """Show the warning for a simulator's panel, if warnings are switched on and the document has marks."""
     if preferences.read().warn_of_simulators and any(map(may_have_mark, FreeCAD.ActiveDocument.Objects)):
         from vkworkbench.gui.simulators import warning as simulator_warning
 
