@@ -330,7 +330,7 @@ taken = memory("VmHWM") - before + 1024 * resource.getrusage(resource.RUSAGE_CHI
 removal = Removal(Cuts([Cut(path, TOOLS[2])]), BOX, view.frame(BOX))
 counts = needs.count(removal)
 needs.count = lambda _: counts  # hundreds of rays for each budget that is tried
-budget = needs.peak_bytes(counts, len(path), removal)
+budget = needs.peak_of(counts, len(path), removal).bytes()
 more = bisect_left(range(1000), 1, key=lambda mb: needs.helpers_within(budget + 1e6 * mb, removal, len(path)))
 print(budget + 1e6 * more, taken)
 """

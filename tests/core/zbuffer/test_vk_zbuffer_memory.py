@@ -18,7 +18,7 @@ from vkworkbench.core.zbuffer import OverBudget, best_resolution, estimate, memo
 from vkworkbench.core.zbuffer.memory import memory
 from vkworkbench.core.zbuffer.memory.counts import Counts
 from vkworkbench.core.zbuffer.memory.growth import size_of
-from vkworkbench.core.zbuffer.memory.memory import helpers_within, peak_bytes
+from vkworkbench.core.zbuffer.memory.memory import helpers_within, peak_of
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
@@ -124,7 +124,7 @@ def test_peak_memory_grows_with_records_pixels_and_moves():
     nothing = Counts(*[0] * 9, 4800)
 
     def more(trajectories=0, **counted):
-        return peak_bytes(replace(nothing, **counted), trajectories, flat) - peak_bytes(nothing, 0, flat)
+        return peak_of(replace(nothing, **counted), trajectories, flat).bytes() - peak_of(nothing, 0, flat).bytes()
 
     assert (
         more(dexels=1000.0) == more(traces=1000.0) == more(gaps=1000.0) == 9000 and more(traces_error=1000.0) == 18000
@@ -132,7 +132,7 @@ def test_peak_memory_grows_with_records_pixels_and_moves():
     # each trajectory has at least a start point
     assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3
     large = Removal(Cuts([]), BOX, View((0, 0, -1), 160, 60).frame(BOX))
-    assert peak_bytes(nothing, 0, large) - peak_bytes(nothing, 0, flat) == 8 * 80 * 60
+    assert peak_of(nothing, 0, large).bytes() - peak_of(nothing, 0, flat).bytes() == 8 * 80 * 60
 
 
 def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
@@ -140,9 +140,9 @@ def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
     flat = removal(TOOLS[0], (0, 0, -1))
     some, many = (Counts(*[0] * 3, 1e8 * share, *[0] * 5, 4800) for share in (0.5, 1.0))
     assert many.traces == 1e8
-    assert peak_bytes(many, 0, flat) - peak_bytes(some, 0, flat) == pytest.approx(22 * 0.5e8)
+    assert peak_of(many, 0, flat).bytes() - peak_of(some, 0, flat).bytes() == pytest.approx(22 * 0.5e8)
     monkeypatch.setattr(memory, "count", lambda _: many)
-    assert helpers_within(peak_bytes(many, 0, flat), flat, 0) > 0
+    assert helpers_within(peak_of(many, 0, flat).bytes(), flat, 0) > 0
 
 
 def test_each_process_adds_its_memory_and_its_records(monkeypatch):
@@ -152,7 +152,7 @@ def test_each_process_adds_its_memory_and_its_records(monkeypatch):
         counts = Counts(*[0] * 8, band, 4800)
         assert counts.band == band
         monkeypatch.setattr(memory, "count", lambda _: counts)
-        peak = peak_bytes(counts, trajectories, flat)
+        peak = peak_of(counts, trajectories, flat).bytes()
         taken = plenty / helpers_within(peak + plenty, flat, trajectories)
         fit = [helpers_within(peak + share * taken, flat, trajectories) for share in (-9, 0, 0.99, 1.01, 2.5)]
         assert fit == [0, 0, 0, 1, 2]
@@ -169,7 +169,7 @@ def test_band_needs_least_memory_seen_from_above():
     nothing = Counts(*[0] * 9, 4800)
     flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
     above, closed, other = (
-        {peak_bytes(nothing, 0, removal(tool, direction)) for tool, direction in some}
+        {peak_of(nothing, 0, removal(tool, direction)).bytes() for tool, direction in some}
         for some in (
             [(tool, (0, 0, -1)) for tool in TOOLS],
             [(flat, (1, 1, -1)), (ball, (0, 1, -1)), (ball, (0, 1, 1)), (flat, (0.1, 0, 1)), (flat, (0, 0, 1))],
@@ -177,7 +177,7 @@ def test_band_needs_least_memory_seen_from_above():
         )
     )
     assert max(above) < min(closed) < min(other)
-    assert peak_bytes(nothing, 0, removal(flat, (1, 1, -1), others=[bullnose])) in other
+    assert peak_of(nothing, 0, removal(flat, (1, 1, -1), others=[bullnose])).bytes() in other
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1)])

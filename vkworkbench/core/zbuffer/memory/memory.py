@@ -144,7 +144,7 @@ def memory_needed(cuts: Iterable[Cut], *, stock: Solid, view: View) -> float:
     """
     numbered = Cuts(cuts)
     removal = Removal(numbered, stock, fitted(view, stock))
-    return peak_bytes(count(removal), len(numbered), removal)
+    return peak_of(count(removal), len(numbered), removal).bytes()
 
 
 def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
@@ -170,14 +170,6 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
     peak = peak_of(counts, trajectories, removal)
     if peak.bytes() > allowed:
         raise OverBudget(peak, allowed, counts, removal.frame)
-
-
-def peak_bytes(counts: Counts, trajectories: int, removal: Removal) -> float:
-    """Return the peak memory of a simulation and its pictures, bytes.
-
-    See `peak_of` for the arguments.
-    """
-    return peak_of(counts, trajectories, removal).bytes()
 
 
 def peak_of(counts: Counts, trajectories: int, removal: Removal) -> Peak:
