@@ -29,6 +29,7 @@ from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.sweeps.bodies import Alternation, Body, alternate, slimmer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
+from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 from vkworkbench.language import Message
 
 FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
@@ -312,11 +313,11 @@ class _Search:
 
 def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.ndarray:
     """Return whether each move can bring a body as low as the top of the material, (n,) bool."""
-    radius = np.array([body.radius if body else 0.0 for body in bodies])[cuts.cut][:, None]
+    radius = np.array([body.radius if body else 0.0 for body in bodies])[cuts.cut]
     bottom = np.array([body.bottom if body else np.inf for body in bodies])[cuts.cut]
-    lower, upper = np.minimum(*cuts.ends), np.maximum(*cuts.ends)
-    beside = (lower[:, :2] - radius >= stock.upper[:2]) | (upper[:, :2] + radius <= stock.lower[:2])
-    low: np.ndarray = ~beside.any(axis=1) & (lower[:, 2] + bottom < stock.upper[2])
+    start, end = cuts.ends
+    low: np.ndarray = passes_over(start, end, radius, stock)
+    low &= np.minimum(start[:, 2], end[:, 2]) + bottom < stock.upper[2]
     return low
 
 

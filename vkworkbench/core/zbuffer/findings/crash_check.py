@@ -15,6 +15,7 @@ from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes_amon
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
 from vkworkbench.core.zbuffer.findings.removed_pieces import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
+from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 
 # Distance between rays for the second check, mm, which examines rapids that remove nothing on the rays of the first
 # check. A larger distance misses rapids that cut a thin layer off a wall. A smaller distance makes the check slower.
@@ -107,11 +108,8 @@ class _Check:
         """Return the moves to check (k,), and half the width of each tool at the height of the stock's top, mm."""
         cuts, stock = self.cuts, self.stock
         start, end = cuts.ends
-        radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut]
-        low, high = np.minimum(start, end), np.maximum(start, end)
-        depth = stock.upper[2] - low[:, 2]
-        met = (high[:, :2] > stock.lower[:2] - radius[:, None]).all(axis=1)
-        met &= (low[:, :2] < stock.upper[:2] + radius[:, None]).all(axis=1)
+        met = passes_over(start, end, np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut], stock)
+        depth = stock.upper[2] - np.minimum(start[:, 2], end[:, 2])
         # A tool that moves straight up from the end of its previous move stays in the hole that the previous move cut.
         up = (np.hypot(*(end - start)[:, :2].T) < SMALLEST) & (end[:, 2] >= start[:, 2])
         up[cuts.first[:-1][np.diff(cuts.first) > 0]] = False

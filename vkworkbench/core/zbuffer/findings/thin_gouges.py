@@ -21,6 +21,7 @@ from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, h
 from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
 from vkworkbench.core.zbuffer.findings.seen_model import SeenModel
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
+from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 
 # Tool diameter, pixels, from which the image shows all gouges of the tool. Thinner tools are checked on closer rays.
 _SHOWN = 4.0
@@ -176,10 +177,8 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)
     tool = cuts.cuts[number].tool
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    depth = model.upper[2] - low[:, 2]
-    deep = (depth > least) & (low[:, :2] < model.upper[:2] + tool.radius).all(axis=1)
-    deep &= (high[:, :2] > model.lower[:2] - tool.radius).all(axis=1)
+    depth = model.upper[2] - np.minimum(start[:, 2], end[:, 2])
+    deep = passes_over(start, end, tool.radius, model) & (depth > least)
     return np.flatnonzero(deep) + own.start, half_widths(tool, depth[deep])
 
 

@@ -20,6 +20,7 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.findings.fine_rays import FineRays, half_widths
 from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
+from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 
 # Angles between the rows of rays and the X axis, rad. No angle is close to a multiple of 45 degrees, because many walls
 # run at multiples of 45 degrees.
@@ -147,11 +148,9 @@ def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarr
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)
     tool = cuts.cuts[number].tool
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    half_width = half_widths(tool, stock.upper[2] - low[:, 2])
-    met = (low[:, 2] < stock.upper[2]) & (low[:, :2] < stock.upper[:2] + tool.radius).all(axis=1)
-    met &= (high[:, :2] > stock.lower[:2] - tool.radius).all(axis=1)
-    moves, half_width = np.flatnonzero(met), half_width[met]
+    depth = stock.upper[2] - np.minimum(start[:, 2], end[:, 2])
+    met = passes_over(start, end, tool.radius, stock) & (depth > 0)
+    moves, half_width = np.flatnonzero(met), half_widths(tool, depth[met])
     run = np.hypot(*(end - start)[met, :2].T) * _shares_inside(start[met, :2], end[met, :2], half_width[:, None], stock)
     area = float(((run + 2 * half_width) * 2 * half_width).sum())
     block = float(np.prod((stock.upper - stock.lower)[:2]))

@@ -74,7 +74,10 @@ class Trajectories:
         self.cosine = float(-frame.direction[2])
 
         radius = np.array([cut.tool.radius for cut in cuts.cuts])
-        met = [_may_meet(start, end, radius[cut], stock) for cut, start, end in cuts.blocks(AT_ONCE)]
+        met = [
+            passes_over(start, end, radius[cut], stock) & (np.minimum(start[:, 2], end[:, 2]) < stock.upper[2])
+            for cut, start, end in cuts.blocks(AT_ONCE)
+        ]
         self.index = np.flatnonzero(np.concatenate((np.empty(0, bool), *met)))
         self.radius = radius[cuts.cut[self.index]]
         m = len(self.index)
@@ -252,16 +255,15 @@ class Trajectories:
         )
 
 
-def _may_meet(start: np.ndarray, end: np.ndarray, radius: np.ndarray, stock: Solid) -> np.ndarray:
-    """Return whether the bounding box of each move meets the bounding box of the stock, (k,) bool.
+def passes_over(start: np.ndarray, end: np.ndarray, radius: np.ndarray | float, solid: Solid) -> np.ndarray:
+    """Return whether, seen from above, the bounding box of each move meets the bounding box of a solid, (k,) bool.
 
     The tools with the radii `radius` (k,) move from `start` to `end` (k, 3).
     """
-    low, high = np.minimum(start, end), np.maximum(start, end)
-    low[:, :2] -= radius[:, None]
-    high[:, :2] += radius[:, None]
-    met: np.ndarray = (low < stock.upper).all(axis=1) & (high[:, :2] > stock.lower[:2]).all(axis=1)
-    return met
+    start, end, radius = start[:, :2], end[:, :2], np.reshape(radius, (-1, 1))
+    low, high = np.minimum(start, end) - radius, np.maximum(start, end) + radius
+    over: np.ndarray = ((low < solid.upper[:2]) & (high > solid.lower[:2])).all(axis=1)
+    return over
 
 
 def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
