@@ -44,7 +44,7 @@ WEIGHTS = {
     "program, told": (3.0, 0.0, 1.0),
     "freecad": (1.5, 1.0, 0.5),
     "freecad without tool": (1.0, 1.0, 0.0),
-    "made": (3.0, 1.0, 0.0),
+    "made": (3.0, 2.0, 0.0),
     "nonsense": (0.0, 2.0, 0.0),
 }
 BEST = 2.0  # weight of the best label of a row; all other labels of the row have the weight 1
