@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyse operations of a document. Writes nothing in the document."""
+"""Analyse operations of a document, without changing the document."""
 
 from __future__ import annotations
 
@@ -43,21 +43,22 @@ def analyze(
     cancelled: Callable[[], bool] | None = None,
     machine=None,
 ) -> Report:
-    """Analyse operations: strategy, lengths, and the cost of simulating them. Writes nothing in a document.
+    """Find the strategy and the lengths of operations, and the cost of simulating them. The document is not changed.
 
     Without a window, the first analysis also measures the speed of this computer, which takes one to two seconds. An
-    operation that was analysed before in this session, and has not changed since, is not analysed again, unless
-    preferences or calibration have changed.
+    operation that was analysed before in this session is only analysed again if the operation, the preferences or the
+    calibration have changed.
 
     Parameters
     ----------
     what : Document, DocumentObject, or iterable of these objects, optional
         A document (all its jobs and imported toolpaths), a job, or operations; the active document if None.
     progress : callable, optional
-        Called before each operation with the number of finished operations, the number of all, and the operation's label.
+        Called before each operation with the number of finished operations, the number of all operations, and the
+        operation's label.
     cancelled : callable, optional
-        Called before each operation, every 20 ms during an operation, and every 0.1 s while this computer is measured. True ends
-        the analysis. The function may process the window's events, if no event changes the documents.
+        Called before each operation, every 20 ms during an operation, and every 0.1 s while this computer is measured.
+        The result True ends the analysis. The function may process Qt's events, if no event changes the documents.
     machine : Machine, str or path, optional
         See `Preferences.for_machine`.
 
@@ -106,12 +107,12 @@ def analyze(
         going_on()
         if progress is not None:
             progress(done, len(operations), labels[done])
-        with suppress(ReferenceError):  # the operation was deleted meanwhile, or its document closed
+        with suppress(ReferenceError):  # the operation was deleted, or its document closed, during the analysis
             if not is_there(operation.object):
                 continue
             token = PATH_PRINTS.begin(operation.object)
             reading = read(operation)
-            going_on()  # handles events between copying the path and copying its commands
+            going_on()  # lets Qt handle events between copying the path and copying its commands
             row = _in_thread(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
             PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
@@ -122,7 +123,7 @@ def analyze(
         reports = with_travel(reports, whole, chosen.travel)
     verdicts = {}
     for (key, job), names in zip(jobs.items(), posted):
-        with suppress(ReferenceError):  # the job was deleted meanwhile, or its document closed
+        with suppress(ReferenceError):  # the job was deleted, or its document closed, during the analysis
             verdict = verdict_on(job, (known[name].fingerprint if name in known else "" for name in names))
             if verdict is not None:
                 verdicts[key] = verdict
@@ -132,7 +133,7 @@ def analyze(
 def _estimate_shown(
     rows: list[OperationReport], wholes: list[list[OperationReport]], simulators: tuple[str, ...], going_on: Callable
 ) -> None:
-    """Compute the costs that will be shown. A cost is computed at its first use, which would make a window wait."""
+    """Compute the costs that will be shown. Otherwise they would be computed when a window first shows them."""
     of_jobs = [
         together([o.costs for o in whole], labels=[o.label for o in whole], stepover=None)[0] for whole in wholes
     ]
@@ -143,9 +144,9 @@ def _estimate_shown(
 
 
 def _in_thread(work: Callable, cancelled: Callable[[], bool] | None):
-    """Run `work` in its own thread and call `cancelled` meanwhile; without `cancelled`, run it in this thread.
+    """Run `work` in its own thread, and call `cancelled` repeatedly until it ends; without `cancelled`, in this thread.
 
-    The argument of `work` is a function that raises Cancelled after the work was cancelled.
+    `work` gets one argument: a function that raises Cancelled after the work was cancelled.
     """
     given_up = threading.Event()
 
@@ -172,7 +173,7 @@ def _in_thread(work: Callable, cancelled: Callable[[], bool] | None):
 
 
 def _row(reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
-    """Return the row of one operation. An unexpected error is reported in the row, so that other operations keep their rows."""
+    """Return the row of one operation. The row reports an unexpected error, so that all other rows are computed."""
     if reading.error is not None:
         return _failed(reading, reading.error)
     try:
@@ -222,7 +223,7 @@ def _analysed(
     if inches:
         remarks.append(Message("inches-as-millimetres"))
     cuts = found.strategy is not Strategy.EMPTY
-    if not cuts:  # remarks on tool and stock do not explain the missing cuts
+    if not cuts:  # replace the remarks on tool and stock, which do not explain why there are no cuts
         remarks = _why_empty(reading, toolpath)
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))
@@ -258,7 +259,7 @@ def _analysed(
 
 
 def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
-    """Return why an operation does not cut; an empty list for a stop, a comment or a fixture, which never cut."""
+    """Return why an operation does not cut; an empty list for stops, comments and fixtures, which never cut."""
     silent = toolpath.commands <= len(toolpath.comments)
     if not reading.takes_tool and toolpath.commands and not len(toolpath):
         return []
@@ -270,7 +271,7 @@ def _why_empty(reading: Reading, toolpath: Toolpath) -> list[Message]:
 def _misfits(
     toolpath: Toolpath, tool: Tool, stock: Solid, costs: Mapping[str, Cost], *, finished: bool
 ) -> list[Message]:
-    """Return remarks if tool or stock do not fit the toolpath. `finished` says whether the stock equals the model."""
+    """Return remarks if tool or stock do not fit the toolpath. `finished`: whether the stock equals the model."""
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
     if not at_it and costs[ZBUFFER.name].traces == 0:  # evaluated last, because it computes an estimate

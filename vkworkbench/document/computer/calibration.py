@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The speed of this computer in every simulator: measured once and kept in FreeCAD's user data folder."""
+"""Calibrate the simulators: measure the speed of this computer once, and store it in FreeCAD's user data folder."""
 
 from __future__ import annotations
 
@@ -20,21 +20,22 @@ from vkworkbench.core.simulators import DEFAULTS, Constants
 from vkworkbench.core.zbuffer import WORK_UNITS, Speed, measure_speed
 from vkworkbench.worker import processes
 
-# Names of OpenGL renderers that draw on the processor and do not wait for the screen, and the times of a frame and of a
-# draw call measured with them, s.
+# Names of OpenGL renderers that draw on the processor and do not wait for the screen; and the times, measured with
+# these renderers, for a frame and for a draw call, s.
 _SOFTWARE = ("llvmpipe", "softpipe", "swr", "swiftshader", "gdi generic", "microsoft basic render")
 _SOFTWARE_OPENGL = {"frame": 42e-3, "draw": 15e-6}
-# Seconds that such a renderer needs to show one command during playback ("redraw"), and one more percent during
-# fast-forward ("repaint"). Qt 6, which FreeCAD 1.1 uses, also paints the window on the processor.
+# Times that these renderers need to show one command during playback ("redraw"), and one more percent during
+# fast-forward ("repaint"), s. Qt 6, which FreeCAD 1.1 uses, also paints the window on the processor.
 _SOFTWARE_PANEL = {"redraw": 40e-3}
 _SOFTWARE_PANEL_QT6 = {"redraw": 56e-3, "repaint": 30e-3}
-# Factor by which a mesh takes longer if the same processor draws pictures between the meshes.
+# Factor by which computing a mesh takes longer if the same processor draws pictures between the meshes.
 _SOFTWARE_MESH = 1.5
-# Fields of a Speed that are measured.
+# Names of the fields of `Speed` that are measured.
 _MEASURED = [field.name for field in fields(Speed) if field.name != "processes"]
-# Errors that a damaged file raises: other data than a calibration, numbers that are too large, lists nested too deep.
+# Errors while reading a damaged file: with other data than a calibration, with numbers that are too large, or with
+# lists that are nested too deep.
 _UNREADABLE = (TypeError, LookupError, ValueError, AttributeError, ArithmeticError, RecursionError)
-_LARGEST = 1e15  # upper limit for a measured number
+_LARGEST = 1e15  # upper bound for a measured number; a larger number comes from a damaged file
 
 
 @dataclass(frozen=True)
@@ -59,12 +60,12 @@ def processor() -> str:
 def constants(speed: Speed, renderer: str = "") -> Constants:
     """Return the constants of FreeCAD's simulators, scaled by the speed of this computer in the extended z-buffer.
 
-    The timer, and the pictures of a graphics card, do not depend on the processor and keep their default times.
+    The times of the timer and of pictures on a graphics card do not depend on the processor, and are not scaled.
 
     Parameters
     ----------
     renderer : str
-        OpenGL's name of its renderer; empty without a window.
+        The name that OpenGL reports for its renderer; empty without a window.
     """
     slowness = float(np.median(speed.constants / Speed().constants))
     own = {name: slowness * getattr(DEFAULTS, name) for name in ("start", "cell", "facet", "profile")}
@@ -77,9 +78,9 @@ def constants(speed: Speed, renderer: str = "") -> Constants:
 
 
 def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
-    """Return the speed of this computer in the extended z-buffer; measure it if it was never measured.
+    """Return the speed of this computer in the extended z-buffer; measure the speed if it was never measured.
 
-    With a window, an unmeasured computer gets the default speed: the window measures it when the user pauses.
+    With a window, the default speed is returned before the first measurement, which starts when the user pauses.
 
     Parameters
     ----------
@@ -135,7 +136,7 @@ def _measure(going_on: Callable[[], object]) -> Calibration:
 
 
 def _on_all_cores(speed: Speed) -> Speed:
-    """Return the speed with as many processes as can work at once, from the speed of one process."""
+    """Return the speed of as many processes as can work at once, from the speed of one process."""
     return replace(speed, processes=processes())
 
 

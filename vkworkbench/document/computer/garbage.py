@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Python's garbage collection, limited to the window's thread while other threads work.
+"""Run Python's garbage collection only in Qt's main thread while other threads work.
 
-Python collects cycles in any thread that creates objects. A closed tab is a cycle, and destroying a Qt object outside the
-window's thread crashes FreeCAD, because PySide's tables have no lock. Call the functions here in the window's thread.
+Python collects reference cycles in any thread that creates objects. A closed tab is a reference cycle, and destroying
+a Qt object outside Qt's main thread crashes FreeCAD, because PySide's tables have no lock. Call the functions of this
+module in Qt's main thread.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ _was_on = False
 
 
 def hold() -> None:
-    """Disable automatic collection until `release` was called once for each call of `hold`."""
+    """Disable automatic garbage collection until `release` was called once for each call of `hold`."""
     global _holders, _was_on
     if not _holders:
         _was_on = gc.isenabled()
@@ -25,7 +26,7 @@ def hold() -> None:
 
 
 def release() -> None:
-    """Enable automatic collection again after the last `hold`."""
+    """Undo one call of `hold`; after the last, enable automatic garbage collection again."""
     global _holders
     _holders -= 1
     if not _holders and _was_on:
@@ -44,5 +45,5 @@ def give_back() -> None:
     The C library of Linux otherwise keeps memory that a thread has freed: hundreds of MB after some large simulations.
     """
     gc.collect()
-    with suppress(OSError, AttributeError, TypeError):  # another C library has no malloc_trim
+    with suppress(OSError, AttributeError, TypeError):  # C libraries other than glibc have no malloc_trim
         ctypes.CDLL(None).malloc_trim(0)

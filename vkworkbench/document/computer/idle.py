@@ -8,7 +8,7 @@ import time
 from collections import deque
 from collections.abc import Callable, Iterator
 
-_SLICE = 0.03  # seconds of work before other events are handled
+_SLICE = 0.03  # seconds of work before Qt handles other events
 
 _soon: Callable[[Callable[[], None]], None] | None = None
 _works: deque[Iterator] = deque()
@@ -16,15 +16,15 @@ _calls: dict[str, Callable[[], None]] = {}
 
 
 def use(soon: Callable[[Callable[[], None]], None]) -> None:
-    """Run work in short slices from now on. `soon` makes the window's event loop call its argument."""
+    """Run work in short slices from now on. `soon` is a function that lets Qt's event loop call its argument."""
     global _soon
     _soon = soon
 
 
 def work(steps: Iterator) -> None:
-    """Run an iterator: the first steps now, the rest when FreeCAD is idle, after the iterators that already wait.
+    """Run an iterator: the first steps now if no other iterator waits, all further steps when FreeCAD is idle.
 
-    An iterator that meets a deleted document or object is dropped.
+    An iterator that raises ReferenceError, because a document or object was deleted, is dropped.
     """
     _works.append(steps)
     if len(_works) == 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The clamps of a job: objects of the document that nothing may touch."""
+"""The clamps of a job: objects of the document that no tool, shank or holder may touch."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def set_clamps(job, clamps: Iterable) -> None:
         If an object has no closed solid.
     """
     clamps, name = list(clamps), freecad.CLAMPS.name
-    clamp_solids(clamps)  # raises the error before the document changes
+    clamp_solids(clamps)  # raises `Unusable` before the document changes
     with transaction(job.Document, "Set Clamps"):
         if not freecad.CLAMPS.is_in(job):
             job.addProperty(_TYPE, name, "Toolpath analysis", "Objects that no tool may touch", _HIDDEN_AND_OUTPUT)
@@ -82,7 +82,7 @@ def _solid_of(obj) -> tuple[str, Solid]:
 
 
 def shapes_of(clamps: Iterable) -> list:
-    """Return the shapes of clamps at their places in the document; clamps without a shape are skipped."""
+    """Return the shapes of clamps, placed as in the document; clamps without a shape are skipped."""
     return [shape for shape in map(_shape_of, clamps) if shape is not None]
 
 

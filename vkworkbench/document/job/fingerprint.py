@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fingerprints of operations: a mark in the tree is outdated when its operation has another fingerprint.
 
-A fingerprint covers only what the analysis depends on, with the digits that a file keeps. The fingerprint stays the
-same after renaming, saving, reopening, and in another FreeCAD version.
+A fingerprint is a hash of the inputs on which the analysis depends, rounded to the digits that a file stores. Renaming,
+saving, reopening and another FreeCAD version do not change the fingerprint.
 """
 
 from __future__ import annotations
@@ -22,15 +22,16 @@ from vkworkbench.document.job.previous import previous_job
 from vkworkbench.document.job.setting import exact_box, rapid_feeds, read_stock, read_tool
 from vkworkbench.document.job.solids import form_of_stock, measures_of, shapes_of_model
 
-# mm, added before the corners of a stock are rounded to 0.01 mm. Without the offset, a usual length in mm or inches
-# would be halfway between two rounded values, and the last digit, which differs between FreeCAD versions, would decide.
+# Offset that is added to the coordinates of a stock's corners before they are rounded to 0.01 mm, in mm. Without the
+# offset, usual lengths in mm or inches can be halfway between two rounded values, and their last digit, which differs
+# between FreeCAD versions, decides the rounding.
 _OFFSET = 3.7e-4
 
-#: Number of commands that FreeCAD writes as text in a tenth of a second, holding the GIL.
+#: Maximum number of commands that are converted to text in one call, which holds the GIL for a tenth of a second.
 AT_ONCE = 50_000
-_PIECE = 10_000  # commands written at a time
+_PIECE = 10_000  # number of commands of a longer path that are converted to text together
 
-# Systems that forbid SHA-1 for security accept SHA-1 with this argument, which Python 3.8 does not have.
+# Systems that forbid SHA-1 for security accept it with the argument `usedforsecurity`, which Python 3.8 does not have.
 _NOT_FOR_SECURITY = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
 
 
@@ -58,12 +59,12 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
 
 
 def text_of(path, commands: list | None = None) -> str:
-    """Return the text of a path. `commands`, a copy of the path's commands, saves time for a long path."""
+    """Return the G-code of a path. A given copy of its commands (`commands`) saves time for a long path."""
     return "".join(_texts(path, commands))
 
 
 def _texts(path, commands: list | None) -> Iterator[str]:
-    """Yield the text of a path in pieces. Writing all at once is faster but holds the GIL, so long texts are split."""
+    """Yield the G-code of a path; of a long path in parts, because FreeCAD holds the GIL while it writes a text."""
     if path.Size <= AT_ONCE:
         yield path.toGCode()
         return
@@ -134,9 +135,9 @@ def setting_fingerprint(
 
 
 def surroundings_fingerprint(job) -> str:
-    """Return the fingerprint of a job's model, clamps and previous job and of the holder in the preferences; empty without a job.
+    """Return the fingerprint of a job's model, clamps and previous job, and of the holder in the preferences.
 
-    The verdict of a simulation depends on these inputs; the analysis does not.
+    The verdict of a simulation depends on these inputs; the analysis does not. The fingerprint is empty without a job.
     """
     if job is None:
         return ""
@@ -146,7 +147,7 @@ def surroundings_fingerprint(job) -> str:
     ]
     parts = [sorted(preferences.read().holder.items()), shapes]
     previous = previous_job(job)
-    if previous is not None:  # `set_previous_job` rules out circles of jobs
+    if previous is not None:  # the recursion ends, because `set_previous_job` does not allow circles of jobs
         posted = [operation.object for operation in find(previous) if operation.counted]
         parts += [(path_fingerprint(obj), read_setting_fingerprints(obj, previous)[0]) for obj in posted]
         parts.append(surroundings_fingerprint(previous))
@@ -159,7 +160,7 @@ def _shape_print(shape) -> tuple:
 
 
 def read_setting_fingerprints(obj, job) -> tuple[str, str]:
-    """Return the fingerprint of an operation's present tool and stock, and the fingerprint of the tool alone."""
+    """Return the fingerprint of an operation's current tool and stock, and the fingerprint of the tool alone."""
     tool, stock = _or_none(read_tool, obj), _or_none(read_stock, job)
     form = form_of_stock(job, stock) if stock else ()
     rapids = rapid_feeds(obj)
@@ -167,7 +168,7 @@ def read_setting_fingerprints(obj, job) -> tuple[str, str]:
 
 
 class Settings:
-    """Fingerprints of the present settings of operations; each pair of tool and stock is read once.
+    """Fingerprints of the current settings (tool and stock) of operations. Each pair of tool and stock is read once.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compare the strategy of a toolpath with the kind or pattern that its operation is named after."""
+"""Compare the strategy of a toolpath with the strategies that fit its operation's kind or pattern in FreeCAD."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ _PATTERNS = {
     "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
     "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
 }  # fmt: skip
-# Minimum number of rows or loops for a contradiction, except for holes. With a lower minimum, correct operations are
-# flagged: in a pocket about as wide as the tool, every pattern becomes one line or one loop.
+# Minimum number of rows or loops for a contradiction, except for operations that drill holes. Lower: correct operations
+# are reported, because in a pocket about as wide as the tool every pattern gives one line or one loop.
 MIN_PASSES = 3
-# Strategies that never contradict a pattern: in places about as wide as the tool, any pattern becomes a loop, a line or short
-# strokes in each place.
+# Strategies that never contradict a pattern. In narrow places, about as wide as the tool, every pattern gives a loop, a
+# line or short strokes.
 _IN_NARROW_PLACES = (Strategy.PROFILE, Strategy.ENGRAVING)
-MIN_CONFIDENCE = 0.8  # for a contradiction; a less confident recognition can itself be wrong
+MIN_CONFIDENCE = 0.8  # minimum confidence for a contradiction; lower: wrong recognitions are reported as contradictions
 
 
 def contradicts(name: str | None, found: Recognition) -> bool:
-    """Return whether a toolpath contradicts the kind or pattern of this name, with certainty.
+    """Return whether a toolpath surely contradicts the kind or the pattern with this name.
 
     `benchmarks/intent.py` prints how often the answer is right.
     """
@@ -47,9 +47,9 @@ def contradicts(name: str | None, found: Recognition) -> bool:
 
 
 def name_of_intent(obj) -> str | None:
-    """Return FreeCAD's name of an operation's kind, or of its pattern if the kind implies no strategy; else None.
+    """Return FreeCAD's name for an operation's kind, or for its pattern if the kind implies no strategy; else None.
 
-    FreeCAD's experimental waterline clears its layers with a pattern, so contours and rows both match its name.
+    FreeCAD's experimental waterline can clear its layers with rows; then None is returned.
     """
     if kind(obj) in ("dressup", "array"):  # dress-ups and arrays have no pattern
         return None

@@ -18,9 +18,9 @@ class Listing:
     Parameters
     ----------
     text : str
-        A line for each command.
+        G-code of the path, one line for each command.
     commands : sequence of Command
-        Needed if comments of the path contain line breaks.
+        The path's commands, from which the lines are made if comments contain line breaks.
 
     Attributes
     ----------

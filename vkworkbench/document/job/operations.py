@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the operations of a document, by their properties and TypeId.
+"""Find the operations of a document, by the properties and the TypeId of its objects.
 
-Proxies and class names differ between FreeCAD versions, and can be missing in a file of another version.
+The proxies of objects and their class names are not used: they differ between FreeCAD versions, and can be missing in a
+file that another version saved.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ class Operation:
     Attributes
     ----------
     object : DocumentObject
-        The object with the Path. In a job's group the object can be a link; the linked object then has the mark.
+        The object with the toolpath. In a job's group the object can be a link; then the linked object has the mark.
     job : DocumentObject or None
         The job of the operation; None for a toolpath that was imported without a job.
     counted : bool
@@ -77,12 +78,12 @@ def _links_operation(obj) -> bool:
 
 
 def is_object(what) -> bool:
-    """Return whether a value is an object of a document. A property in a file can hold any value."""
+    """Return whether a value is an object of a document. A property in a file can contain a value of any type."""
     return hasattr(what, "isDerivedFrom") and hasattr(what, "InList")
 
 
 def is_there(obj) -> bool:
-    """Return whether an object is still in its document. A deletion that can be undone leaves a nameless object."""
+    """Return whether an object is still in its document. After a deletion that can be undone, an object has no name."""
     try:
         return obj.Document.getObject(obj.Name) is not None
     except (ReferenceError, RuntimeError, TypeError):
@@ -192,7 +193,7 @@ def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
 
 
 def _find(what, jobs: dict) -> Iterator[Operation]:
-    """Yield the operations. `jobs` caches the operations of each job, so that each job is searched only once."""
+    """Yield the operations of `what`. `jobs` caches the operations of each job, so that each job is searched once."""
     if is_gone(what):
         raise ReferenceError("what is asked for was deleted, or its document closed: take it from the document again")
     if is_document(what):
@@ -267,7 +268,7 @@ def _bases(obj) -> list:
 
 
 def all_bases(obj) -> Iterator:
-    """Yield the bases of a dress-up or array, and their bases, each once."""
+    """Yield the bases of a dress-up or array, the bases of these bases, and so on; each object once."""
     seen = {obj.Name}
     pending = _bases(obj)
     while pending:
@@ -287,7 +288,7 @@ def _dressed(obj) -> Iterator:
 
 
 def posted(found: Sequence[Operation]) -> list[Operation]:
-    """Return the operations that are posted; if no job posts any, the active operations."""
+    """Return the operations that are posted; if no operation is posted by a job, the active operations."""
     return [o for o in found if o.counted] or [o for o in found if o.active]
 
 
@@ -297,13 +298,13 @@ def jobs_of(operations: Iterable[Operation]) -> dict[tuple[str, str], object]:
 
 
 def fixtures_of(job) -> int:
-    """Return how often a job's operations are posted: once for each fixture of the job."""
+    """Return how often a job's operations are posted: once for each work offset (FreeCAD: fixture) of the job."""
     listed = freecad.FIXTURES.of(job)
     return max(len(listed), 1) if isinstance(listed, list) else 1
 
 
 def cycle_seconds(job) -> int | None:
-    """Return FreeCAD's own machining time of a job, s; None without one."""
+    """Return the machining time that FreeCAD has stored in a job, s; None if there is no readable time."""
     text = freecad.CYCLE_TIME.of(job)
     return ENGLISH.seconds_of(text) if isinstance(text, str) else None
 
@@ -340,7 +341,7 @@ def takes_tool(obj) -> bool:
 
 
 def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
-    """Return whether FreeCAD posts an operation: the operation and its bases (for arrays, one base) are on."""
+    """Return whether an operation is switched on, and its bases too; for an array, one base is enough."""
     if not freecad.ACTIVE.of(obj, True):
         return False
     of_bases = [is_active(base, (*_above, obj.Name)) for base in _bases(obj) if base.Name not in _above]
@@ -350,5 +351,5 @@ def is_active(obj, _above: tuple[str, ...] = ()) -> bool:
 
 
 def is_imported(obj) -> bool:
-    """Return whether a toolpath, or the toolpath of a base, may come from a file."""
+    """Return whether the toolpath of an object or of one of its bases possibly comes from a file."""
     return any(map(freecad.is_imported, (obj, *all_bases(obj))))

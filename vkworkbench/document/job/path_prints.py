@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A cache of the fingerprints of paths. This module does not import numpy.
 
-Computing the fingerprint of a long path takes long. A fingerprint is dropped when FreeCAD reports a change of its path, so a
-fingerprint that is still in the cache also proves that the path has not changed.
+Computing the fingerprint of a long path is slow. A fingerprint is removed from the cache when FreeCAD reports a change
+of its path. Therefore the path has not changed if its fingerprint is still in the cache.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ _ON_PATH = freecad.names_in_fingerprint("path")
 
 
 class PathPrints:
-    """Fingerprints of paths; the cache observes all documents after its first fingerprint."""
+    """A cache of fingerprints of paths, which observes all documents after the first fingerprint was requested."""
 
     def __init__(self) -> None:
         self._watches = False
-        # Fingerprints by the names of document and object; a token while the fingerprint is being computed.
+        # Fingerprints by the names of document and object. While a fingerprint is computed, a token takes its place.
         self._kept: dict[str, dict[str, str | object]] = {}
 
     def of(self, obj) -> str | None:
-        """Return the fingerprint of an object's present path; None if the cache does not have the fingerprint."""
+        """Return the fingerprint of an object's current path; None if the cache does not contain the fingerprint."""
         kept = self._kept.get(obj.Document.Name, {}).get(obj.Name)
         return kept if isinstance(kept, str) else None
 

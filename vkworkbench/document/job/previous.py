@@ -21,7 +21,7 @@ def previous_job(job):
 
 
 def possible_previous_jobs(job) -> list:
-    """Return the other jobs of the document that machine the same part and do not start from this job's part."""
+    """Return the other jobs of the document that machine the same model and do not start from the part of this job."""
     shapes = shapes_of_model(job)
     return [
         other
@@ -33,7 +33,7 @@ def possible_previous_jobs(job) -> list:
 
 
 def set_previous_job(job, previous=None) -> None:
-    """Let a job's simulation start with another job's part, in one undo step. The choice is saved with the job.
+    """Let the simulation of a job start with the finished part of another job. The choice is saved, in one undo step.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def set_previous_job(job, previous=None) -> None:
     Raises
     ------
     Unusable
-        If `previous` is this job, or starts (perhaps through further jobs) with the part that this job leaves.
+        If `previous` is this job, or starts, directly or through further jobs, with the finished part of this job.
     """
     if previous is not None and job in _chain(previous):
         raise Unusable(Message("previous-in-circle", label=previous.Label))
@@ -56,7 +56,7 @@ def set_previous_job(job, previous=None) -> None:
 
 
 def _chain(job) -> list:
-    """Return a job and the jobs before it."""
+    """Return a job, its previous job, the previous job of this job, and so on."""
     found: list = []
     while job is not None and job not in found:
         found.append(job)

@@ -46,8 +46,8 @@ class Reading:
     error: Exception | None = None
 
 
-# IDENTITY: the fields that identify the operation. SETTINGS: the other inputs of the results, except path and
-# placement.
+# IDENTITY: the fields of a reading that identify the operation. SETTINGS: all other fields on which the results of the
+# analysis depend, except path and placement.
 IDENTITY = ("document", "document_id", "name", "label", "job", "counted")
 SETTINGS = tuple(
     field.name for field in fields(Reading)
@@ -56,9 +56,9 @@ SETTINGS = tuple(
 
 
 def read(operation: Operation) -> Reading:
-    """Read an operation. An error is stored in the reading, so that the other operations are still analysed."""
+    """Read an operation. An error is stored in the reading, so that all other operations are still analysed."""
     obj, job = operation.object, operation.job
-    job = job if job is not None and is_there(job) else None  # the operations of a deleted job remain
+    job = job if job is not None and is_there(job) else None  # a deleted job can leave its operations in the document
     reading = Reading(
         document=obj.Document.Name,
         document_id=obj.Document.Uid,
@@ -91,7 +91,7 @@ def read(operation: Operation) -> Reading:
             rapid_feeds=rapids,
             setting_fingerprint=setting_fingerprint(tool, box, form, rapids),
         )
-    except ReferenceError:  # the object was deleted meanwhile
+    except ReferenceError:  # the object was deleted
         raise
     except Exception as error:
         FreeCAD.Console.PrintLog(traceback.format_exc())

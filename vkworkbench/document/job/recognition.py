@@ -52,7 +52,7 @@ def rotary_cut(toolpath: Toolpath) -> Problem | None:
 
 
 def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, imported: bool) -> tuple[Recognition, bool]:
-    """Return the strategy of a document's toolpath, and whether its inches were read as millimetres.
+    """Return the strategy of an operation's toolpath, and whether FreeCAD has read its inches as millimetres.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, importe
     tool_diameter : float or None
         Diameter of the tool, mm.
     imported : bool
-        Whether the toolpath may come from a file; FreeCAD's importer drops G20.
+        Whether the toolpath possibly comes from a file, whose G20 (inches) FreeCAD's importer ignores.
     """
     if (
         imported

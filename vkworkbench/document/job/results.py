@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results of this session, found again by the inputs of the analysis, or by the operation.
+"""The results of this session, stored under the inputs of the analysis, and under the names of the operations.
 
-`RESULTS` finds a result by all inputs of an analysis, unrounded: the text of the path, placement, tool, stock, feeds,
-preferences and calibration. An unchanged operation is therefore not analysed again. A changed operation has another
-key, so a change does not have to be reported. `remember` and `latest_row` find the last result for an operation of an
-open document. Results contain all numbers; marks contain fewer.
+`RESULTS` stores results under all inputs of an analysis, unrounded: the text of the path, placement, tool, stock,
+feeds, preferences and calibration. Therefore an unchanged operation is not analysed again, and a changed operation has
+another key. `remember` and `latest_row` store and return the last result of each operation of an open document. These results
+contain all numbers of the analysis; the marks in the tree contain fewer numbers.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ _MAX_TRAJECTORIES = 10_000_000
 
 
 class ResultCache:
-    """A cache of rows by keys. Above the limits, the rows that were used longest ago are dropped.
+    """A cache of reports' rows. If a limit is exceeded, the rows that were not used for the longest time are dropped.
 
     Parameters
     ----------
     max_rows, max_trajectories : int
-        Largest number of rows, and of trajectories of all rows together.
+        Maximum number of rows, and maximum total number of trajectories in these rows.
     """
 
     def __init__(self, max_rows: int = _MAX_ROWS, max_trajectories: int = _MAX_TRAJECTORIES) -> None:
         self.max_rows, self.max_trajectories = max_rows, max_trajectories
         self._rows: OrderedDict[Hashable, OperationReport] = OrderedDict()
         self._trajectories = 0
-        self._lock = threading.Lock()  # an analysis runs in its own thread
+        self._lock = threading.Lock()  # several threads use the cache, because an analysis runs in its own thread
 
     def __len__(self) -> int:
         return len(self._rows)
@@ -82,7 +82,7 @@ def key_of(text: str, *parts) -> Hashable | None:
 
 
 def _exactly(part):
-    """Return plain data that is equal for equal values only. An object becomes its type and attributes."""
+    """Return plain data that is equal only for equal values. An object is replaced by its type and its attributes."""
     if part is None or isinstance(part, (bool, int, float, str)):
         return part
     if isinstance(part, np.ndarray):
@@ -100,7 +100,7 @@ _latest: dict[str, dict[str, OperationReport]] = {}  # latest rows by the names 
 
 
 class _ClosedDocuments:
-    """Drops the rows of a closed document: another document may get its name."""
+    """Drops the rows of a closed document, because another document can get the same name."""
 
     def slotDeletedDocument(self, document) -> None:
         _latest.pop(document.Name, None)

@@ -24,8 +24,8 @@ _SHAPES = {
     "countersink": "vbit", "tap": "drill", "reamer": "endmill", "threadmill": "endmill", "slittingsaw": "endmill",
     "slotcutter": "endmill", "dovetail": "endmill", "radius": "endmill",
 }  # fmt: skip
-# Tool shapes that are simulated by a simpler shape. A shape that is not convex is simulated by its hull, and the taper
-# above a ball is left out. Shapes that are not in this table are simulated as end mills.
+# Tool shapes that are simulated by a simpler shape. A shape that is not convex is simulated by its convex hull, and the
+# taper above a ball is left out. Shapes that are not in `_SHAPES` are simulated as end mills.
 _AS_END_MILL, _AS_BALL_END, _AS_DRILL = Message("as-end-mill"), Message("as-ball-end"), Message("as-drill")
 _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
@@ -36,9 +36,9 @@ _WHOLE_EDGE = ("chamfer", "countersink")
 
 
 class ShapeCache:
-    """A cache of the results for the most recently used shapes.
+    """A cache of results that were computed for the most recently used shapes.
 
-    The shapes are stored, too. Otherwise a new shape at the memory address of a deleted one would get its result.
+    The shapes are stored, too. Otherwise a new shape at the memory address of a deleted shape would get the old result.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ class ShapeCache:
         self._found: list[tuple] = []
 
     def of(self, shape, find: Callable):
-        """Return the result for a shape; ``find()`` computes a missing one."""
+        """Return the result for a shape. If it is not in the cache, ``find()`` computes it."""
         for at, (kept, _) in enumerate(self._found):
             if kept.isSame(shape):
                 self._found.append(self._found.pop(at))
@@ -73,7 +73,7 @@ def controller_of(operation):
 
 
 def read_tool(operation) -> Tool:
-    """Return the tool of an operation, in any FreeCAD version.
+    """Return the tool of an operation.
 
     Raises
     ------
@@ -108,7 +108,7 @@ def _shape_name(bit) -> str:
     """Return FreeCAD's name of a tool's shape, in lower case."""
     name = next((n for n in freecad.TOOL_SHAPE.values(bit) if isinstance(n, str) and n), "endmill")
     file = freecad.TOOL_SHAPE_FILE.of(bit)
-    # FreeCAD 1.1 says "custom" if the shape file is not at the path of the computer that made the document.
+    # FreeCAD 1.1 reports the shape "custom" if the file of the shape is not at the path that the document contains.
     if name.lower() == "custom" and isinstance(file, str):
         name = PureWindowsPath(file).stem or name
     return "".join(c for c in name.lower() if c.isalpha())
@@ -131,11 +131,11 @@ def _tool(bit, diameter: float) -> Tool:
 
 
 def _with_bodies(tool: Tool, bit) -> Tool:
-    """Return a tool with the sizes of its flutes, shank and holder. FreeCAD's sizes that are 0 are unknown."""
+    """Return a tool with the sizes of its flutes, shank and holder. A size that is 0 in FreeCAD is unknown."""
     name = _shape_name(bit)
     edge = freecad.CUTTING_EDGE_HEIGHT.number(bit)
     if name not in _SHAPES or name in _SIMPLIFIED:
-        edge = None  # the simpler shape cuts where the tool has a neck
+        edge = None  # unknown, because the simulated shape cuts where the real tool has a neck
     elif edge and tool.shape == "vbit" and name not in _WHOLE_EDGE:
         edge += tool.rim
     sizes = {
@@ -174,8 +174,8 @@ def read_stock(job) -> Stock:
 def exact_box(shape) -> tuple[tuple, tuple]:
     """Return the lower and the upper corner of a shape's exact bounding box, mm.
 
-    The shape's own `BoundBox` depends on its display mesh. Before FreeCAD 1.0, its optimal box depends on the mesh,
-    too. Therefore the box of a copy without the mesh is computed.
+    The shape's own `BoundBox` depends on the mesh that displays the shape, and before FreeCAD 1.0 the optimal box does,
+    too. Therefore the box is computed from a copy without this mesh.
     """
     return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False)))
 

@@ -16,25 +16,26 @@ from vkworkbench.core import Cylinder, Mesh, Solid, Stock
 from vkworkbench.document.job.setting import ShapeCache, exact_box
 from vkworkbench.language import Message, Unusable
 
-# Allowed distance between a curved face and its triangles: a minimum in mm, and a share of the shape's diagonal.
+# Allowed distance between a curved face and its triangles: the larger of a length in mm, and a share of the diagonal of
+# the shape's bounding box.
 _MIN_DEVIATION, _DEVIATION = 0.01, 1e-4
-# Largest angle between neighbouring triangles of a face, rad. `tessellate` on its own uses a tenth of this angle, and
-# needs minutes for a spline of 2,000 poles.
+# Largest angle between neighbouring triangles of a face, rad. Without this limit, FreeCAD's `tessellate` uses a tenth
+# of the angle and needs minutes for a spline with 2,000 poles.
 _BEND = 0.5
 # Meshing holds the GIL. After _MESHING seconds the thread sleeps for _PAUSE seconds, so that the window can respond.
 _MESHING, _PAUSE = 0.01, 0.001
-# Two measures are equal if they differ by at most this share.
+# Allowed rounding error, as a share: two volumes or lengths that differ by at most this share are equal.
 _ROUNDING = 1e-6
 _solids = ShapeCache(8)  # computing triangles is slow
 _forms = ShapeCache(16)
 _measures = ShapeCache(16)  # every operation of a job compares the stock with the model
-# Factor before rounding. Without the factor, the volume of a stock with usual lengths would be halfway between two
-# rounded values.
+# Factor by which volumes and areas are multiplied before rounding. Without the factor, the volume of a stock with usual
+# lengths could be halfway between two rounded values.
 _FACTOR = 1.0037
 
 
 def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
-    """Return a job's stock as a solid; or its box, with the reason why the shape cannot be used.
+    """Return a job's stock as a solid; if its shape cannot be used, return its box and a remark with the reason.
 
     Parameters
     ----------
@@ -49,7 +50,7 @@ def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
 
 
 def form_of_stock(job, box: Stock) -> tuple:
-    """Return the form of a job's stock that is not a box; empty for a box. The display mesh has no influence.
+    """Return the form of a job's stock for a fingerprint; empty for a box. The mesh that displays it has no influence.
 
     Parameters
     ----------
@@ -61,7 +62,7 @@ def form_of_stock(job, box: Stock) -> tuple:
     Returns
     -------
     tuple
-        Part of a fingerprint: a name, the volume, the area and the centre, with five digits.
+        A name; for a solid that is not a cylinder, also the volume, the area and the centre, with five digits.
     """
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     return _forms.of(shape, lambda: _form(shape, box))
@@ -86,7 +87,7 @@ def measures_of(shape) -> tuple[str, ...]:
 
 
 def are_equal(one, other) -> bool:
-    """Return whether shapes are identical or copies of each other. An undo restores a copy of a shape."""
+    """Return whether two shapes are identical, or equal in box, volume and area, as a copy after an undo is."""
     return one.isSame(other) or (
         np.allclose(exact_box(one), exact_box(other)) and np.allclose(_measures_of(one), _measures_of(other))
     )
@@ -98,7 +99,10 @@ def have_equal_shapes(shapes: Sequence, others: Sequence) -> bool:
 
 
 def move_between(before: Sequence, after: Sequence):
-    """Return the placement that moves one model to another place; None if the models differ, or have several shapes."""
+    """Return the placement that moves the model `before` onto the model `after`.
+
+    Return None if the models differ, or do not consist of one shape each.
+    """
     if len(before) != 1 or len(after) != 1:
         return None
     move = after[0].Placement.multiply(before[0].Placement.inverse())
@@ -187,13 +191,13 @@ def _mesh(shapes: Sequence) -> Mesh:
     for shape in shapes:
         lower, upper = map(np.array, exact_box(shape))
         deviation = max(_MIN_DEVIATION, _DEVIATION * float(np.linalg.norm(upper - lower)))
-        own = shape.copy(True, False)  # so that the display mesh of the shape does not change
+        own = shape.copy(True, False)  # a copy, so that the mesh that displays the shape does not change
         begun = time.monotonic()
-        for face in own.Faces:  # face by face, because each call holds the GIL
+        for face in own.Faces:  # one face in each call, because a call holds the GIL
             MeshPart.meshFromShape(face, LinearDeflection=deviation, AngularDeflection=_BEND)
             if time.monotonic() - begun > _MESHING:
                 time.sleep(_PAUSE)
                 begun = time.monotonic()
-        points, corners = own.tessellate(deviation)  # tessellate returns the existing meshes of the faces
+        points, corners = own.tessellate(deviation)  # does not mesh again, but returns the meshes of the faces
         triangles.append(np.array([tuple(point) for point in points])[np.array(corners, int).reshape(-1, 3)])
     return Mesh(np.concatenate(triangles))

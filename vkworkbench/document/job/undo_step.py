@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Changes of a document as one undo step."""
+"""Make several changes of a document as one undo step."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import FreeCAD
 
 @contextmanager
 def transaction(document, name: str):
-    """Make changes as one undo step, or as part of an open step. If a change fails, the new step is undone."""
+    """Make the changes in the context as one undo step, or as part of an open step. On an error, undo the new step."""
     if document.HasPendingTransaction or FreeCAD.getActiveTransaction():
         yield
         return
@@ -20,6 +20,6 @@ def transaction(document, name: str):
     except BaseException:
         FreeCAD.closeActiveTransaction(True)
         raise
-    # document.commitTransaction() would leave the step open if nothing changed or the document keeps no undo steps. The user's
-    # next changes, in any document, would then join the step.
+    # document.commitTransaction() would leave the step open if nothing changed, or if the document stores no undo
+    # steps. The user's next changes, in any document, would then become a part of the step.
     FreeCAD.closeActiveTransaction()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work offsets that the commands of a job select, such as G55. A document does not contain their origins."""
+"""Work offsets, such as G55, that the commands of a job select. A document does not contain their origins."""
 
 from __future__ import annotations
 
@@ -14,21 +14,23 @@ _OFFSETS = tuple(OFFSETS)
 
 
 class WorkOffsets:
-    """The work offset in force, from one operation to the next.
+    """Follows the active work offset from one operation to the next.
 
     Parameters
     ----------
     job : DocumentObject, optional
-        A job, whose first fixture is in force before its operations. Without a job, the first move decides.
+        A job, whose first work offset (FreeCAD: fixture) is active before its operations.
     """
 
     def __init__(self, job=None) -> None:
         listed = freecad.FIXTURES.of(job)
         self._now = str(listed[0]) if isinstance(listed, list) and listed else None
-        self._first: str | None = None  # the offset at the first move; all coordinates refer to its origin
+        self._first: str | None = (
+            None  # the offset at the first move, to whose origin all coordinates are assumed to refer
+        )
 
     def remark(self, words: Words, toolpath: Toolpath) -> Message | None:
-        """Follow the next operation; return a remark if it moves at another work offset than the first move of all operations.
+        """Read the next operation; return a remark if it moves at another work offset than the very first move.
 
         Parameters
         ----------

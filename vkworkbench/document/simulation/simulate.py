@@ -135,7 +135,7 @@ def coarser(view: View, refused: OverBudget) -> View:
 def simulate_read(
     job: SimulatedJob, view: View, memory_budget: float, going_on: Callable[[float], None] = lambda _: None
 ) -> Simulation:
-    """Simulate a job that was read; see :func:`simulate`. Any thread may call this function: it does not use FreeCAD."""
+    """Simulate a job that was read; see :func:`simulate`. Any thread may call this function, as it needs no FreeCAD."""
     zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
     return Simulation(job, zbuffer, OnceAlongAxis(job, memory_budget))
 
@@ -217,7 +217,7 @@ class Simulation(SimulatedPart):
         return self.job.operations[source.cut], source.command
 
     def _of_solid(self) -> ZBuffer:
-        """Return this z-buffer if it is along the tool axis and shows the whole stock, else the z-buffer of `along_axis`."""
+        """Return this z-buffer if it is along the tool axis and shows the whole stock, else that of `along_axis`."""
         frame, stock = self.zbuffer.frame, self.job.stock
         beside = np.abs((stock.lower + stock.upper)[:2] / 2 - frame.centre[:2]) + (stock.upper - stock.lower)[:2] / 2
         shown = (beside <= np.array([frame.width, frame.height]) / 2 * frame.pixel * (1 + _ROUNDING)).all()

@@ -37,7 +37,7 @@ def simulator_of(panel: QWidget) -> str:
 
 
 def chosen_in(panel: QWidget) -> tuple[object, list]:
-    """Return the job and the ticked operations in a simulator's panel; no operations if the list does not fit the job."""
+    """Return the job and the ticked operations in a simulator's panel; no operations if its list is not the job's."""
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
     operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]
