@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# FreeCAD runs this file at every start, with and without a window. There is nothing to do: a macro imports vkworkbench.
+# FreeCAD runs this file at every start, with and without a window. It contains no code: macros import vkworkbench.

@@ -23,7 +23,7 @@ WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
 TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks that show the tree: in 0.20, since 1.0, and the separate dock
 TASK_DOCKS = ("Combo View", "Tasks")  # docks that show the task view: in 0.20, and since 1.0
 DESCRIPTION_HIDDEN_SINCE = (1, 0)  # first version that hides the tree's Description column by default
-QT6_SINCE = (1, 1)
+QT6_SINCE = (1, 1)  # first version that uses Qt 6
 TIME_PROPERTY_SINCE = (1, 0)  # first version with App::PropertyTime
 
 
@@ -96,8 +96,8 @@ class Property:
     before : tuple of str
         Names in earlier versions, the newest first.
     fingerprint : {"path", "setting"} or None
-        Part of a mark's fingerprint that contains the property. If the property changes, the mark in the tree may be
-        outdated. None if no fingerprint contains the property.
+        Part of a mark's fingerprint that contains the property. If the property changes, the mark in the tree is
+        possibly outdated. None if no fingerprint contains the property.
     """
 
     newest: str
@@ -159,9 +159,9 @@ FIXTURES = Property("Fixtures", fingerprint="setting")
 CYCLE_TIME = Property("CycleTime")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
-# Objects that hold the workpiece. This add-on defines the property.
+# Objects that hold the workpiece. This add-on adds the property to a job.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
-# The job whose finished part is the stock of this job. This add-on defines the property.
+# The job whose finished part is the stock of this job. This add-on adds the property to a job.
 PREVIOUS_JOB = Property("ToolpathPreviousJob", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
 # A tool controller.
@@ -202,10 +202,10 @@ def names_in_fingerprint(part: str) -> frozenset[str]:
 
 
 def is_imported(obj) -> bool:
-    """Return whether an object's toolpath may come from a file: a custom operation, or not an operation of FreeCAD.
+    """Return whether an object's toolpath possibly comes from a file.
 
-    An operation or a dress-up that another FreeCAD version saved may have no proxy; its properties show that its
-    toolpath does not come from a file.
+    Such an object is a custom operation, or has no proxy. But an operation or a dress-up that another FreeCAD version
+    saved can have no proxy either; its properties show that its toolpath does not come from a file.
     """
     if GCODE.is_in(obj):
         return True

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 
-OWN = "own"  # means the simulator that FreeCAD's button starts, or a machine with the user's own values
+OWN = "own"  # in `mark_simulator`: the simulator that FreeCAD's button starts; in `machine`: the user's own machine
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
 
 # View directions by the names of FreeCAD's standard views.
@@ -303,5 +303,5 @@ def is_possible(name: str, value) -> bool:
 
 def _possible(value, limits) -> bool:
     if "choices" in limits:
-        return value in limits["choices"]()  # a FreeCAD version with other simulators may have stored the value
+        return value in limits["choices"]()  # a FreeCAD version with other simulators has possibly stored the value
     return not limits or limits["least"] <= value <= limits["most"]

@@ -25,7 +25,7 @@ _ISOLATED = ["-I", "-S"]
 _START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
 _PR_SET_PDEATHSIG = 1  # from Linux's prctl.h
-# Rows of a matrix whose products use the memory of OpenBLAS. Smaller products may need none.
+# Number of rows of a matrix that is large enough for OpenBLAS to reserve its memory when the matrix is multiplied.
 _OF_BLAS = 128
 # Without this flag, Windows opens a console for each process.
 _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)

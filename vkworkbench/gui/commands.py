@@ -68,8 +68,8 @@ class AnalyzeCommand(DocumentCommand):
         one, more = (
             translate("Vk_Analyze", "{count} operation was analyzed."), translate("Vk_Analyze", "{count} operations were analyzed.")
         )  # fmt: skip
-        # Count as the job's total does: skip inactive operations and bases of dress-ups, unless only these were
-        # analysed.
+        # Count the operations as the total of the job does: without inactive operations and bases of dress-ups. If only
+        # such operations were analysed, count all.
         text = plural(one, more, sum(o.counted for o in report.operations) or len(report.operations))
         if warned:
             one, more = (
@@ -107,7 +107,7 @@ class ClearCommand(DocumentCommand):
 
 
 def mark(report) -> None:
-    """Write the marks and show them as pills."""
+    """Write the marks of a report, and show them as pills in the tree."""
     pills.show()
     with column.steady_columns():
         vkworkbench.mark(report)
@@ -115,14 +115,14 @@ def mark(report) -> None:
 
 
 def _unmarked_jobs(report) -> list:
-    """Return the jobs of the report without a mark. Their branches are expanded once, to show the new marks."""
+    """Return the jobs of a report that have no mark yet. Their branches in the tree are expanded to show new marks."""
     documents = FreeCAD.listDocuments()
     jobs = [documents[document].getObject(name) for document, name in report.jobs if document in documents]
     return [job for job in jobs if job is not None and not marks.is_marked(job)]
 
 
 def _warned(report) -> tuple[int, int]:
-    """Return the numbers of marked operations and of jobs with a warning sign."""
+    """Return how many operations of a report, and how many of its jobs, have a warning sign in the tree."""
     documents, chosen = FreeCAD.listDocuments(), preferences.read()
 
     def count(names) -> int:
@@ -134,7 +134,7 @@ def _warned(report) -> tuple[int, int]:
 
 
 def _show_marks() -> None:
-    """Show the Description column at the first analysis. After that, the user decides about the column."""
+    """Show the Description column of the tree at the first analysis. Afterwards the user can hide the column."""
     column.bring_to_view()
     if not FreeCAD.ParamGet(GROUP).GetBool("DescriptionShown", False):
         column.when_seen(_show_description)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A page in FreeCAD's preferences whose widgets have the names of preferences. Imports numpy only when it is shown."""
+"""A page in FreeCAD's preferences dialog. Each widget has the name of its preference."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _FORMS = Path(__file__).resolve().parents[2] / "resources" / "ui"
 
 
 class FormPage:
-    """A page with a form that FreeCAD loads and saves.
+    """A page of the preferences dialog with a form. FreeCAD calls its methods to load and to save the values.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class FormPage:
         self._shown = self.chosen()
 
     def saveSettings(self) -> None:
-        """Save only the values that the user changed, because the page shows rounded numbers, for example in inches."""
+        """Save only the values that the user changed. All other values are shown rounded, for example in inches."""
         now = self.chosen()
         preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
         self._shown = now
@@ -62,7 +62,7 @@ class FormPage:
                 widget.setProperty("value", _as_length(value) if _is_length(widget) else value)
 
     def chosen(self) -> dict:
-        """Return the values in the form, by name."""
+        """Return the values in the form, by the names of the preferences."""
         chosen = {}
         for name, widget in self.widgets():
             if hasattr(widget, "isChecked"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of a job: its clamps, the job before it, and its simulated part as a mesh or an STL file."""
+"""Commands for a job: set its clamps or its previous job, and save its simulated part as a mesh or an STL file."""
 
 from __future__ import annotations
 
@@ -26,7 +26,10 @@ _SHOWN = 10_000  # ms for which the status bar shows a message
 
 
 class JobCommand(DocumentCommand):
-    """A command on the selected job, or on the job of a selected operation, or on the only job of the active document."""
+    """A command for the selected job, for the job of a selected operation, or for the job of the active document.
+
+    If there are several jobs, the command asks for one of them.
+    """
 
     def Activated(self) -> None:
         if FreeCAD.ActiveDocument is None:
@@ -68,7 +71,7 @@ class JobCommand(DocumentCommand):
 
 
 class ClampsCommand(JobCommand):
-    """Make the selected solids the clamps of a job. Without a selected solid, show the clamps, and offer to remove them."""
+    """Make the selected solids the clamps of a job. If no solid is selected, show the clamps and offer to remove them."""
 
     name = "Vk_Clamps"
     menu = QT_TRANSLATE_NOOP("Vk_Clamps", "Set Clamps from Selection")
@@ -111,7 +114,7 @@ def _clamps_text(job) -> str:
 
 
 class PreviousJobCommand(JobCommand):
-    """Choose the job whose finished part is the stock of another job; both jobs machine the same part."""
+    """Choose the previous job of a job: the job whose finished part is its stock. Both jobs machine the same model."""
 
     name = "Vk_PreviousJob"
     menu = QT_TRANSLATE_NOOP("Vk_PreviousJob", "Begin with the Part of Another Job")
@@ -141,7 +144,7 @@ class PreviousJobCommand(JobCommand):
 
 
 class AddMeshCommand(JobCommand):
-    """Simulate a job, and add its part to the document as a mesh."""
+    """Simulate a job, and add the finished part to the document as a mesh."""
 
     name = "Vk_AddMesh"
     menu = QT_TRANSLATE_NOOP("Vk_AddMesh", "Add Simulated Part as Mesh")
@@ -157,7 +160,7 @@ class AddMeshCommand(JobCommand):
 
 
 class SaveStlCommand(JobCommand):
-    """Simulate a job, and save its part as an STL file."""
+    """Simulate a job, and save the finished part as an STL file."""
 
     name = "Vk_SaveStl"
     menu = QT_TRANSLATE_NOOP("Vk_SaveStl", "Save Simulated Part as STL")
@@ -197,7 +200,7 @@ def _job_of(obj):
 
 
 def _ask(title: str, text: str, jobs: list, names: list[str], take: Callable, present=None) -> None:
-    """Ask for one of several jobs, and call `take` with the answer. `names` replace the labels of the first entries."""
+    """Ask for one of several jobs, and call `take` with the chosen job. `names` replace the first jobs' labels."""
     labels = names + [f"{number}. {job.Label}" for number, job in enumerate(jobs[len(names) :], 1)]
     dialog = QInputDialog(Gui.getMainWindow())
     dialog.setAttribute(Qt.WA_DeleteOnClose)

@@ -11,7 +11,7 @@ from vkworkbench.gui.qt.plain_text import warn
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.preferences import OWN, Preferences, choices
 
-# The values of a machine, without its time factor.
+# Names of the preferences with the values of a machine, except its time factor.
 _VALUES = (
     "rate_x", "rate_y", "rate_z", "acceleration_x", "acceleration_y", "acceleration_z", "corner_deviation", "lookahead",
     "tool_change", "spindle_start",
@@ -19,7 +19,7 @@ _VALUES = (
 
 
 class MachinePage(FormPage):
-    """The page *Machine*. A typical machine fills the form; a changed value makes it the user's own machine."""
+    """The page *Machine*. A chosen typical machine fills the form; changing a value chooses the user's own machine."""
 
     def __init__(self, parent=None) -> None:
         super().__init__("machine.ui")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure this computer when the user pauses after the first analysis, and then update the times in the marks."""
+"""Measure this computer's speed when the user pauses after the first analysis, and update the times in the marks."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vkworkbench.document.marks import marking, marks
 from vkworkbench.gui.qt.names import QApplication, QCursor, QTimer
 from vkworkbench.report import Cancelled
 
-_PAUSE = 1500  # ms without a motion of the pointer that count as a pause
+_PAUSE = 1500  # time without a motion of the mouse pointer that counts as a pause, ms
 
 
 class _Measurement:
-    """Waits for a pause of the user. Events are handled several times a second during the measurement."""
+    """Waits until the user pauses, then measures. Qt handles events several times a second during the measurement."""
 
     def __init__(self) -> None:
         self._pointer = None
@@ -32,7 +32,7 @@ class _Measurement:
         self._pauses.start()
 
     def _look(self) -> None:
-        """Measure if the pointer has not moved since the last look."""
+        """Measure if the mouse pointer has not moved since the last call, and no dialog or menu is open."""
         before, self._pointer = self._pointer, QCursor.pos()
         busy = self._measures or QApplication.activeModalWidget() or QApplication.activePopupWidget()
         if busy or before != self._pointer:
@@ -42,7 +42,7 @@ class _Measurement:
             with suppress(OSError):  # if the file cannot be written, the default constants stay in use
                 calibration.calibrate(self._going_on)
                 for document in FreeCAD.listDocuments().values():
-                    with suppress(ReferenceError):  # the document was closed meanwhile
+                    with suppress(ReferenceError):  # the document was closed during the measurement
                         self._refresh(document)
             self._pauses.stop()
         except Cancelled:  # the next pause starts a new measurement
@@ -54,7 +54,7 @@ class _Measurement:
         """Analyse the operations with valid marks again, and mark them without an undo step."""
         valid = [o.object for o in find(document) if marks.is_marked(o.object) and not marks.is_outdated(o.object)]
         for obj in valid:
-            vkworkbench.analyze(obj, cancelled=self._is_ended)  # cached, so the analysis below is fast
+            vkworkbench.analyze(obj, cancelled=self._is_ended)  # the results are cached, so the analysis below is fast
         present = [obj for obj in valid if is_there(obj) and not marks.is_outdated(obj)]
         if present:
             marking.mark(vkworkbench.analyze(present), undo_step=False)
@@ -73,7 +73,7 @@ _measurement: _Measurement | None = None
 
 
 def measure_once() -> None:
-    """Measure this computer at the next pause of the user, if it was never measured; once in a session."""
+    """Measure the speed of this computer at the user's next pause, if it was never measured; once in a session."""
     global _measurement
     if _measurement is None and calibration.load() is None:
         _measurement = _Measurement()

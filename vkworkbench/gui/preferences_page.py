@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page *General* in FreeCAD's preferences. Imports numpy only when it is shown."""
+"""The page *General* in FreeCAD's preferences dialog. This module imports numpy only when the page is shown."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 
 TITLE = QT_TRANSLATE_NOOP(
     "QObject", "Toolpath Analysis"
-)  # title of the group; its icon is preferences-toolpath_analysis.svg
+)  # title of the group of pages, whose icon is preferences-toolpath_analysis.svg
 
 
 class PreferencesPage(FormPage):
@@ -26,7 +26,7 @@ class PreferencesPage(FormPage):
         self.form.calibrate.clicked.connect(self._calibrate)
 
     def _offer_simulators(self) -> None:
-        """List the simulators of this FreeCAD version, and hide preferences of missing ones."""
+        """List the simulators of this FreeCAD version, and hide the preferences of simulators that it does not have."""
         from vkworkbench.core.simulators import LEGACY, OPENGL, SIMULATORS, available
 
         present = available(freecad.version())

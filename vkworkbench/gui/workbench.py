@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench, its commands in FreeCAD's CAM workbench, and observers that start with FreeCAD. Imports no numpy."""
+"""The workbench, its commands in FreeCAD's CAM workbench, and the observers that start when FreeCAD starts.
+
+This module does not import numpy, because FreeCAD loads it at each start.
+"""
 
 from __future__ import annotations
 
@@ -62,19 +65,19 @@ def install() -> None:
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
-    idle.use(lambda call: QTimer.singleShot(1, call))  # 1 ms lets other events go first
+    idle.use(lambda call: QTimer.singleShot(1, call))  # Qt handles other events during the delay of 1 ms
     FreeCAD.addDocumentObserver(_OpenedDocuments())
     FreeCAD.addDocumentObserver(_Recomputes())
     Gui.getMainWindow().workbenchActivated.connect(
         lambda name: simulator_watch.watch()
-    )  # the task view exists after the activation
+    )  # FreeCAD has created its task view when a workbench is activated
 
 
 def _extend(workbench, menu: str) -> None:
-    """Add the commands to a workbench that is not initialised yet.
+    """Add the commands to a workbench that FreeCAD has not initialised yet.
 
-    The methods of the instance are wrapped, because FreeCAD's workbench manipulators are missing in 0.20 and cannot create
-    toolbars.
+    This function wraps two methods of the workbench. FreeCAD's workbench manipulators are not used, because FreeCAD
+    0.20 does not have them, and because they cannot create toolbars.
     """
     initialize, context_menu = workbench.Initialize, workbench.ContextMenu
 
@@ -96,10 +99,10 @@ def _extend(workbench, menu: str) -> None:
 
 
 class _OpenedDocuments:
-    """Compares the marks of a document with its paths after it was opened.
+    """Compares the marks of a document with its operations after the document was opened.
 
-    Afterwards the watcher keeps the marks up to date. Only new objects are compared again, because new objects can be
-    copies.
+    Afterwards the watcher keeps the marks up to date. A document is only compared again after new objects were added,
+    because new objects can be copies with marks.
     """
 
     def __init__(self) -> None:
@@ -125,7 +128,7 @@ class _OpenedDocuments:
     def slotCommitTransaction(self, document) -> None:
         if (
             "vkworkbench.document.marks.marking" in sys.modules
-        ):  # marks exist only after this import, also if a macro wrote them
+        ):  # without this import, neither a command nor a macro has written marks
             from vkworkbench.gui.tree import pills
 
             pills.show()
@@ -137,13 +140,13 @@ class _OpenedDocuments:
         document = FreeCAD.listDocuments().get(name)
         if document is None or name in self._compared:
             return
-        if document.Restoring:  # timers run while FreeCAD loads a document with a progress bar
+        if document.Restoring:  # timers also run while FreeCAD is loading a document with a progress bar
             self._later(name)
             return
         opened = name in self._opened
         self._opened.discard(name)
         if any(map(may_have_mark, document.Objects)):
-            # The imports here load numpy, so they run only for a document with marks.
+            # The following imports load numpy, so they are executed only for a document with marks.
             from vkworkbench.document import upkeep
             from vkworkbench.document.marks import watcher
             from vkworkbench.gui.tree import pills
@@ -155,7 +158,10 @@ class _OpenedDocuments:
 
 
 class _Recomputes:
-    """Analyses again after a recompute, if the preferences say so: when FreeCAD is idle, with a progress dialog."""
+    """Analyses outdated operations again after a recompute, if this is switched on in the preferences.
+
+    The analysis starts when FreeCAD is idle, and shows a progress dialog.
+    """
 
     def slotRecomputedDocument(self, document) -> None:
         if "vkworkbench.document.marks.marking" in sys.modules and preferences.read().analyze_after_recompute:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The widget with the three plots: the wheel zooms, dragging pans, a double click shows everything."""
+"""The widget with the three plots. The wheel zooms, dragging pans, and a double click shows all data again."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from vkworkbench.gui.qt.names import (
 )  # fmt: skip
 
 _NOTCH = 120  # turn of a wheel by one notch, in eighths of a degree
-_STEP = 0.8  # share of the window that is visible after zooming in by one notch
-_SCALE = 2  # resolution of a saved image, relative to the screen
+_STEP = 0.8  # after zooming in by one notch, this share of the visible range stays visible
+_SCALE = 2  # resolution of a saved image, as a multiple of the screen's resolution
 
 
 class GaussCanvas(QWidget):
-    """Paints a figure. The parts that do not depend on the step k are painted once."""
+    """Paints the three plots. The parts that do not depend on the chosen trajectory k are painted only once."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -13,7 +13,7 @@ _HEIGHT = 420  # height of the panel, px
 
 
 class GaussMapCommand(DocumentCommand):
-    """Show the Gauss map panel and give it the keyboard's focus, or hide it if it has the focus."""
+    """Show the Gauss map panel and give it the keyboard focus; hide the panel if it has the focus already."""
 
     name = "Vk_GaussMap"
     menu = QT_TRANSLATE_NOOP("Vk_GaussMap", "Gauss Map")

@@ -48,13 +48,13 @@ from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
-_LISTED = 50  # number of longest areas that the chooser lists
+_LISTED = 50  # the chooser lists this number of areas, the longest of the toolpath
 _QUICK = 20_000  # an area with fewer trajectories is drawn without a background thread
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
 
 class GaussMapDock(QDockWidget):
-    """Shows the selected operation while visible, beginning with the area that explains its strategy best."""
+    """Shows the plots of the selected operation, at first for the area that explains its strategy best."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(translate("Vk_GaussMap", "Gauss Map"), parent)
@@ -68,7 +68,7 @@ class GaussMapDock(QDockWidget):
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel()
         as_plain(self.title)
         for label in (self.title, self.values, self.legend):
-            label.setWordWrap(True)  # a dock can be narrow
+            label.setWordWrap(True)  # because the dock can be narrow
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)
         self._whole = [WholeText(label) for label in (self.title, self.values, self.legend)]
         self.legend.setAlignment(Qt.AlignRight)
@@ -113,7 +113,7 @@ class GaussMapDock(QDockWidget):
         self.visibilityChanged.connect(lambda visible: self._later.start())
 
     def _laid_out(self) -> QWidget:
-        """Return the dock's widgets in a scroll area, because a small screen is too low for the dock."""
+        """Return the dock's widgets in a scroll area, because a small screen is too low for all widgets."""
         self._body = QWidget()
         column = QVBoxLayout(self._body)
         column.setContentsMargins(4, 2, 4, 2)
@@ -132,14 +132,14 @@ class GaussMapDock(QDockWidget):
         self.setFocusProxy(area)
         return area
 
-    # FreeCAD calls these when the selection changes.
+    # FreeCAD calls the following methods when its selection changes.
 
     def addSelection(self, *what) -> None:
         self._later.start()
 
     setSelection = addSelection
 
-    # FreeCAD calls these methods when a document changes.
+    # FreeCAD calls the following methods when a document changes.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in freecad.names_in_fingerprint("path") and self._shown == names_of(obj):
@@ -158,7 +158,7 @@ class GaussMapDock(QDockWidget):
             self._say_nothing()
 
     def refresh(self) -> None:
-        """Show the selected operation. Without a selection, keep the operation that is shown."""
+        """Show the plots of the selected operation. If no operation is selected, keep the operation that is shown."""
         if not self.isVisible():
             return
         chosen = list(filter(is_operation, Gui.Selection.getSelection()))
@@ -258,7 +258,7 @@ class GaussMapDock(QDockWidget):
         self.legend.setText(text)
 
     def _verdict(self) -> str:
-        """Return the strategy and the confidence, as in the mark."""
+        """Return the strategy and the confidence as text, as in the mark in the tree."""
         found = self._reading.recognition
         name = strategy_name(found.strategy)
         return f"{name} {user().share(found.confidence)}" if found.strategy.is_answer else name
@@ -284,7 +284,7 @@ class GaussMapDock(QDockWidget):
             text.fit()
 
     def _behind(self) -> QColor:
-        """Return the painted colour behind the plots, which comes from a palette or a style sheet."""
+        """Return the colour of the background behind the plots, which a palette or a style sheet determines."""
         image = QImage(1, 1, QImage.Format_RGB32)
         image.fill(self._body.palette().color(QPalette.Window))
         corner = self._body.mapTo(self, QPoint(2, 2))  # a point in the empty margin
@@ -335,7 +335,7 @@ class GaussMapDock(QDockWidget):
 
 
 def _drawn(source: Source, going_on: Callable) -> Iterator[tuple[Reading, GaussFigure] | None]:
-    """Read an operation, and draw the area that explains its strategy best. Runs in any thread."""
+    """Read an operation, and draw the area that explains its strategy best. Any thread may call this function."""
     for reading in read(source, going_on):
         yield reading and (reading, GaussFigure(reading, reading.proof))
 

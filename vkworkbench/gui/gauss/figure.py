@@ -20,12 +20,12 @@ from vkworkbench.gui.qt.colors import readable
 from vkworkbench.gui.qt.names import QColor, QFontMetrics, QPainter, QPen, QPointF, QPolygonF, QRectF, Qt
 from vkworkbench.gui.qt.sentences import strategy_name, user
 
-TRAIL = 1000  # number of trajectories before k that are highlighted and drawn on the Gauss map
-_COLUMNS = 1000  # number of parts in which the graph is thinned, see thinned()
+TRAIL = 1000  # number of trajectories before trajectory k that are highlighted and drawn on the Gauss map
+_COLUMNS = 1000  # number of parts of the graph that are thinned separately, see thinned()
 _MARKERS = 500
 _WIDE = 1.8  # minimum ratio of width to height for three plots in one row
 _MIN_PLOT = 90  # minimum height of a plot, px
-_GROWTH = 0.5  # change of the arcs' radius along the trail
+_GROWTH = 0.5  # change of the radius of the drawn arcs along the trail
 _GAP = 10  # px
 _FULL = 2 * np.pi
 _ROUNDING = 1e-6  # rounding error of an angle, rad
@@ -33,7 +33,7 @@ _EDGE = 0.04  # margin in a plot, as a share of its data's size
 
 
 class GaussFigure:
-    """The three plots of one area, in any size."""
+    """The three plots of one monotonous area, in any size."""
 
     def __init__(self, reading: Reading, area: int) -> None:
         self.reading, self.area = reading, area
@@ -87,7 +87,7 @@ class GaussFigure:
             self.circle.put(QRectF(width / 2 + _GAP, top, width / 2 - _GAP, half))
             self.graph.put(QRectF(left, top + half + above, width - left - right, half - above - below - line))
 
-    # Paint the parts that do not depend on the step k.
+    # The following methods paint the parts that do not depend on the chosen trajectory k.
 
     def paint_still(self, painter: QPainter, theme: Theme) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -203,7 +203,7 @@ class GaussFigure:
 
     @property
     def bound(self) -> str:
-        """The condition that decides for this strategy; empty if phi does not decide."""
+        """The condition on phi that decides for this strategy, as text; empty if phi does not decide."""
         low, high = self.limits
         inside = low + _ROUNDING < self.phi.min() and self.phi.max() < high - _ROUNDING
         name = strategy_name(self._strategy)
@@ -215,7 +215,7 @@ class GaussFigure:
         return ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
-        """Write the names of the curves above the graph, and the deciding bound; farther left if room is short."""
+        """Write the names of the curves and the deciding bound above the graph; farther left if they are too long."""
         text = QFontMetrics(painter.font())
         entries = [("n", theme.faint), ("θ/2π + n", theme.v), ("φ/2π", theme.counter_clockwise)]
         if len(self.signature.reversals):
@@ -231,7 +231,7 @@ class GaussFigure:
         painter.setPen(QColor(self._strong(theme)))
         painter.drawText(QPointF(min(left, self._width - text.horizontalAdvance(bound)), y - text.descent()), bound)
 
-    # Paint the parts that depend on the step k.
+    # The following methods paint the parts that depend on the chosen trajectory k.
 
     def paint_moving(self, painter: QPainter, theme: Theme) -> None:
         painter.setRenderHint(QPainter.Antialiasing)
@@ -280,7 +280,7 @@ class GaussFigure:
             plot.segments(painter, np.zeros((1, 2)), image)
             painter.setBrush(QColor(color))
             plot.dots(painter, image, 3.5)
-            # Move the names aside, so that the names of two equal directions do not overlap.
+            # Shift the names, so that the names of two equal directions do not overlap.
             _name(painter, plot.pixels([_polar(0.8, at + aside)])[0], letter, "k", color)
 
     def _paint_now(self, painter: QPainter, theme: Theme) -> None:

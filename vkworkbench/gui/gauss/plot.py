@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.gui.qt.names import QFontMetrics, QLineF, QPainter, QPen, QPointF, QRectF, Qt
 
 _NICE = (1, 2, 5, 10)
-_MIN_SHARE, _MAX_SHARE = 1e-6, 4.0  # limits of zooming: visible share of the data
+_MIN_SHARE, _MAX_SHARE = 1e-6, 4.0  # lower and upper bound of the visible share of the data
 
 
 class Plot:
@@ -32,7 +32,7 @@ class Plot:
         self.home()
 
     def home(self) -> None:
-        """Show everything."""
+        """Show all data."""
         self.lower, self.upper = self._home.copy()
 
     def put(self, place: QRectF) -> None:
@@ -46,7 +46,7 @@ class Plot:
 
     @property
     def window(self) -> tuple[np.ndarray, np.ndarray]:
-        """The visible corners. With equal units on both axes, the plot shows more than the window along one axis."""
+        """The visible corners. With equal units on both axes, the plot shows along one axis more than the window."""
         size = self.upper - self.lower
         if not self._equal or self.place.isEmpty():
             return self.lower, self.upper
@@ -56,7 +56,7 @@ class Plot:
         return middle - seen / 2, middle + seen / 2
 
     def pixels(self, points: np.ndarray) -> np.ndarray:
-        """Return the pixels of data points (n, 2), (n, 2)."""
+        """Return the positions of data points (n, 2) in the widget, (n, 2) px."""
         lower, upper = self.window
         corner = np.array([self.place.left(), self.place.bottom()])
         extent = np.array([self.place.width(), -self.place.height()])
@@ -69,7 +69,7 @@ class Plot:
         return lower + (upper - lower) * (right / self.place.width(), up / self.place.height())
 
     def zoom(self, factor: float, at: QPointF) -> None:
-        """Show `factor` times as much data; the data point at this pixel keeps its place."""
+        """Show `factor` times as much data. The data point at the pixel `at` keeps its place."""
         lower, upper = self.window
         factor = min(max(factor, _MIN_SHARE / self.share), _MAX_SHARE / self.share)
         fixed = self.data(at)

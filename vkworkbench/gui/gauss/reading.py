@@ -15,12 +15,12 @@ from vkworkbench.document.job.recognition import Source, recognize_operation
 from vkworkbench.document.job.setting import placed
 
 _CELLS = 1000  # number of cells along a side of the toolpath's plot
-_MAX_SEGMENTS = 8_000  # upper limit for the number of drawn segments
-_CLOSE = 0.25  # visible share below which segments are selected again for the window
+_MAX_SEGMENTS = 8_000  # maximum number of drawn segments
+_CLOSE = 0.25  # if a smaller share of the data is visible, the segments to draw are selected for the visible range
 
 
 class Polyline:
-    """A polyline, reduced to segments that differ on the screen.
+    """A polyline, and the selection of its segments that differ on the screen.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class Polyline:
         self._sketch = distinct(points, overlapping(points, -everywhere, everywhere), cells=_CELLS, most=_MAX_SEGMENTS)
 
     def seen(self, lower: np.ndarray, upper: np.ndarray, share: float) -> np.ndarray:
-        """Return the segments to draw in a window, (m,) int64. `share` is the visible share of the data."""
+        """Return the indices of the segments to draw between two corners, (m,) int64; `share` is the visible share."""
         if share > _CLOSE or len(self._sketch) < _MAX_SEGMENTS // 4:
             return self._sketch
         return distinct(self.points, overlapping(self.points, lower, upper), cells=_CELLS, most=_MAX_SEGMENTS)
@@ -51,7 +51,7 @@ class Reading:
     areas : Areas
         All monotonous areas of the toolpath.
     outline, links : Polyline
-        The areas, and the moves between them.
+        The moves of all areas, and the moves between the areas.
     proof : int
         Index of the area that explains the strategy best.
     """
@@ -88,7 +88,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)
     going_on()
     signature = areas.signature(index)
-    _ = signature.theta_level, signature.length  # computed now, so that the window's thread does not have to
+    _ = signature.theta_level, signature.length  # computed here, so that Qt's main thread does not have to
     drawn = [Polyline(points(areas)) for points in (outline, links)]
     going_on()
     yield Reading(recognition, areas, *drawn, index)

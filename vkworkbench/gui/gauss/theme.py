@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colours of the Gauss map, readable on its background."""
+"""The colours of the Gauss map, adapted to the background so that they are readable."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ from vkworkbench.gui.qt.names import QColor
 
 @dataclass(frozen=True)
 class Theme:
-    """Names of colours.
+    """The colours of the Gauss map, as ``"#rrggbb"``.
 
     Attributes
     ----------
     back : str
-        Background.
+        Colour of the background.
     text : str
-        Texts and the shown area.
+        Colour of texts and of the shown area.
     faint : str
-        Levels and the rest of the toolpath.
+        Colour of the level n, of the limits of phi, and of the toolpath outside the shown area.
     v : str
-        V_k and its angle.
+        Colour of V_k and its angle.
     counter_clockwise, clockwise : str
-        Senses of rotation, distinguishable for colour-blind users.
+        Colours of the two senses of rotation, which colour-blind users can distinguish.
     """
 
     back: str

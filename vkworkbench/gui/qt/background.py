@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work in a background thread that shows progress and results in the window and can be cancelled."""
+"""Run tasks in a background thread, and show their progress and results in the window. The user can cancel a task."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from vkworkbench.gui.qt.plain_text import as_plain
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import Cancelled
 
-_SLICE = 0.03  # longest time for showing results before other events are handled, s
+_SLICE = 0.03  # longest time for showing results before Qt handles other events, s
 _WATCH = 50  # ms between two checks whether a thread has ended
-_DELAY = 300  # ms; the progress of shorter work is not shown
-_LINGER = 200  # ms for which the progress line stays after a task, to avoid flicker before a related task
+_DELAY = 300  # ms after which the progress line appears; shorter tasks do not show it
+_LINGER = 200  # ms for which the progress line stays after a task, to avoid flicker if another task follows
 
 
 class Background(QObject):
@@ -41,7 +41,7 @@ class Background(QObject):
     Attributes
     ----------
     began : Signal of str
-        A task has begun; its description.
+        A task has begun; the argument is its description.
     over : Signal
         The task has ended or was cancelled.
     """
@@ -66,22 +66,22 @@ class Background(QObject):
         Parameters
         ----------
         text : str
-            Description of the work.
+            Description of the task.
         work : callable
             Generator function that yields results. Its argument is a function that raises `Cancelled` after a cancel.
             The generator runs in another thread, so it must use neither documents nor the window.
         show : callable
-            Called in the window's thread with each result.
+            Called in Qt's main thread with each result.
         ended : callable
-            Called at the end with None, with `Cancelled` if the user cancelled, or with the exception that ended the work. Not
-            called after `give_up`.
+            Called at the end with None, with `Cancelled` if the user cancelled the task, or with the exception that
+            ended the task. Not called after `give_up`.
         """
         self.give_up()
         given_up, results = threading.Event(), SimpleQueue()
         self._given_up, self._results = given_up, results
         self._show, self._ended = show, ended
         thread = threading.Thread(target=_run, args=(work, given_up, results), daemon=True)
-        # Start the thread after 1 ms, so that events that waited while FreeCAD copied a path are handled first.
+        # Start the thread after 1 ms, so that Qt first handles the events that waited while FreeCAD copied a path.
         QTimer.singleShot(1, lambda: _threads.begin(thread, work))
         self.began.emit(text)
         self._timer.start()
@@ -119,10 +119,10 @@ class Background(QObject):
 
 
 class _Threads:
-    """The running threads. A thread must not destroy Qt objects, see `garbage`.
+    """Keeps references to the work of running threads, so that no thread destroys Qt objects (see `garbage`).
 
-    A thread destroys objects to which it holds the last reference, such as the tab of its work. Therefore a reference to the work
-    is kept until the thread has ended.
+    A thread would destroy objects to which it holds the last reference, such as the tab for which it works. Therefore a
+    reference to its work is kept here until the thread has ended.
     """
 
     def __init__(self) -> None:
@@ -159,7 +159,7 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
             going_on()
         results.put((False, None))
     except Exception as error:
-        results.put((False, error))  # ignored after `give_up`
+        results.put((False, error))  # nobody reads the error after `give_up`
 
 
 class Busy(QWidget):

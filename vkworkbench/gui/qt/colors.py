@@ -6,11 +6,11 @@ from __future__ import annotations
 from vkworkbench.gui.qt.names import QColor, QPalette
 
 TEXT = "#ffffff"  # colour of texts on the colour of any strategy
-TOTAL = "#62748d"  # background of a job's total
-# Background and text of warnings and errors.
+TOTAL = "#62748d"  # background of the pill with a job's total
+# Colours of the background and of the text of warnings and errors.
 WARNING = ("#f9a825", "#1a1a1a")
 ERROR = ("#c62828", "#ffffff")
-BURDEN = {"NEAR": WARNING, "OVER": ERROR}  # background and text of a time that is near or over the budget
+BURDEN = {"NEAR": WARNING, "OVER": ERROR}  # colours of a simulation time that is near or over the time budget
 RAPID = "#8c8c8c"
 LINK = "#2f7fd6"  # `readable` adapts this colour to the background
 NOTE_SIGN, WARNING_SIGN, ERROR_SIGN = "#62748d", "#c77700", "#d9363e"
@@ -43,7 +43,7 @@ def paper(palette: QPalette) -> QColor:
 
 
 def contrast(one: QColor, other: QColor) -> float:
-    """Return the contrast of two colours, 1..21 (WCAG 2.1)."""
+    """Return the contrast ratio of two colours, from 1 to 21 (WCAG 2.1)."""
     darker, lighter = sorted((_luminance(one), _luminance(other)))
     return (lighter + 0.05) / (darker + 0.05)
 

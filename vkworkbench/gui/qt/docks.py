@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The add-on's docks at the bottom of the window. The docks become tabs, because they do not fit side by side."""
+"""The add-on's docks at the bottom of FreeCAD's window. They are tabs, because they do not fit side by side."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ RESULTS, GAUSS_MAP = "VkResults", "VkGaussMap"
 
 
 def find(name: str) -> QDockWidget | None:
-    """Return the dock with this object name; None before it is first shown."""
+    """Return the dock with this Qt object name; None if it was never shown."""
     return next((dock for dock in widgets.docks() if dock.objectName() == name), None)
 
 
 def add(dock: QDockWidget, height: int) -> None:
-    """Show a new dock at the bottom, as a tab if another dock is there.
+    """Show a new dock at the bottom of the window, as a tab if another dock is there.
 
-    The height of the dock is `height` px, but at most a third of the window, to leave room for the 3D view.
+    The height of the dock is `height` px, but at most a third of the window's height, to leave room for the 3D view.
     """
     window = Gui.getMainWindow()
     others = _at_the_bottom(dock)
@@ -34,7 +34,7 @@ def add(dock: QDockWidget, height: int) -> None:
 
 
 def make_room(height: int) -> None:
-    """Make the add-on's docks at the bottom as low as possible if the 3D view and other tabs have less than `height` px."""
+    """Make the add-on's docks as low as possible if the 3D view and other tabs are lower than `height` px."""
     window = Gui.getMainWindow()
     bottom = [
         dock for dock in map(find, (RESULTS, GAUSS_MAP))
@@ -46,7 +46,7 @@ def make_room(height: int) -> None:
 
 
 def show(dock: QDockWidget) -> None:
-    """Show a dock in front of the other tabs, also if other docks were opened after it was closed."""
+    """Show a dock in front of all tabs, even if another dock was opened at its place while it was closed."""
     window = Gui.getMainWindow()
     _keep_tree_high()
     if dock.isHidden() and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:
@@ -56,7 +56,7 @@ def show(dock: QDockWidget) -> None:
 
 
 def _keep_tree_high() -> None:
-    """Let docks at the bottom end beside the dock of the tree, which keeps the whole height of the window."""
+    """Give the dock of the tree the whole height of the window, so that docks at the bottom do not extend below it."""
     window = Gui.getMainWindow()
     corners = {Qt.LeftDockWidgetArea: Qt.BottomLeftCorner, Qt.RightDockWidgetArea: Qt.BottomRightCorner}
     for dock in widgets.docks():
@@ -66,7 +66,7 @@ def _keep_tree_high() -> None:
 
 
 def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
-    """Return the other docks at the bottom, including hidden ones."""
+    """Return all other docks at the bottom of the window, including hidden docks."""
     window = Gui.getMainWindow()
     return [
         other for other in widgets.docks()
@@ -82,7 +82,7 @@ def _join(dock: QDockWidget, others: list[QDockWidget]) -> None:
 
 
 def has_focus(dock: QDockWidget | None) -> bool:
-    """Return whether a dock is visible and has the focus of its window."""
+    """Return whether a dock is visible and contains the widget with the keyboard focus."""
     if dock is None or not dock.isVisible():
         return False
     focus = dock.window().focusWidget()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands on the active document, and the selected objects. Context menus use it without loading numpy."""
+"""The base class of commands on the active document, and the selected operations. This module does not import numpy."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.document.job.operations import is_job_group, is_operation, kind
 
 
 class DocumentCommand:
-    """A command in menus and toolbars, active while a document is open.
+    """A command in menus and toolbars, which is enabled while a document is open.
 
     Attributes
     ----------
@@ -19,7 +19,7 @@ class DocumentCommand:
     menu, tooltip : str
         English texts, which FreeCAD translates.
     keys : str
-        Keyboard shortcut; empty without one.
+        Keyboard shortcut; empty if there is no shortcut.
     """
 
     name: str

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All Qt names that the add-on uses, from FreeCAD's own PySide package, and small helpers for Qt.
+"""All Qt names that the add-on uses, from FreeCAD's own package PySide, and small helpers for Qt.
 
-In FreeCAD 0.20 this package has no QtWidgets, but its QtGui contains the widgets in every version.
+In FreeCAD 0.20 the package PySide has no module QtWidgets, but in every version its module QtGui contains the widgets.
 """
 
 from __future__ import annotations
@@ -163,7 +163,7 @@ __all__ = [
 
 
 def single_shot(work: Callable[[], object] | Signal, parent: QObject | None = None, ms: int = 0) -> QTimer:
-    """Return a timer that calls `work`, or emits the signal, after pending events. Several starts cause one call."""
+    """Return a timer that calls `work`, or emits the signal, once after `ms`. A new start delays the call again."""
     timer = QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(ms)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Show texts from documents and files as plain text, in every tooltip, label and message box.
 
-Qt interprets a text that looks like HTML: a label such as ``<img src='file:...'>`` would load the file.
+By default, Qt interprets a text that looks like HTML: a label such as ``<img src='file:...'>`` would load the file.
 """
 
 from __future__ import annotations
@@ -77,10 +77,10 @@ class OneLine(QLabel):
 
 
 class WholeText(QObject):
-    """Keeps a wrapping label high enough for its text.
+    """Keeps a label with wrapped text high enough for the text.
 
-    A layout computes the minimum height for a width that differs from the label's real width. A narrow label would cut
-    off lines.
+    A Qt layout computes the minimum height for another width than the label's real width, so that a narrow label would
+    hide the last lines of its text.
     """
 
     def __init__(self, label: QLabel) -> None:
@@ -94,13 +94,13 @@ class WholeText(QObject):
         return False
 
     def fit(self) -> None:
-        """Adapt the height after a change of the text."""
+        """Adapt the label's height to its text and width."""
         self._label.setMinimumHeight(0)  # otherwise the label never shrinks
         self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
 
 
 def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:
-    """Show HTML as a tooltip. Texts from documents in it must come from `lines`."""
+    """Show HTML as a tooltip. A text from a document must be converted by `lines` before it is a part of the HTML."""
     QToolTip.showText(where, in_paragraph(html), widget)
 
 

@@ -83,7 +83,7 @@ def simulating(title: str, text: str) -> Iterator[Callable[[float], None]]:
 
 
 def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDialog:
-    """Return a modal progress dialog that appears after `delay` ms. Esc cancels it."""
+    """Return a modal progress dialog that appears after `delay` ms. The key Esc cancels the dialog."""
     dialog = QProgressDialog(parent)
     dialog.setWindowTitle(title)
     dialog.setWindowModality(Qt.WindowModal)
@@ -91,12 +91,12 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
     as_plain(dialog.findChild(QLabel))
     dialog.setLabelText(text)
     dialog.setCancelButtonText(translate("Vk_Analyze", "Cancel"))
-    dialog.rejected.connect(dialog.cancel)  # Esc can reach any part of the dialog
+    dialog.rejected.connect(dialog.cancel)  # cancels with Esc whichever widget of the dialog has the focus
     return dialog
 
 
 class _Progress:
-    """A dialog that shows a text, and then the operations being analysed."""
+    """A dialog that shows a text, and later the label of the operation that is being analysed."""
 
     def __init__(self, title: str, text: str, parent: QWidget) -> None:
         self._dialog = dialog_of(title, text, parent, delay=_DELAY)

@@ -10,7 +10,7 @@ _GL_RENDERER = 0x1F01
 
 
 def opengl_renderer() -> str:
-    """Return the renderer's name, e.g. ``"llvmpipe (LLVM 15.0.6, 256 bits)"``; empty without OpenGL."""
+    """Return the name of the OpenGL renderer, e.g. ``"llvmpipe (LLVM 15.0.6, 256 bits)"``; empty without OpenGL."""
     surface = QOffscreenSurface()
     surface.create()
     context = QOpenGLContext()
@@ -22,12 +22,12 @@ def opengl_renderer() -> str:
 
 
 def note_renderer(*, again: bool = False) -> str:
-    """Store the renderer's name in the preferences for analyses, and return it.
+    """Store the name of the OpenGL renderer in the preferences, where analyses read it, and return the name.
 
     Parameters
     ----------
     again : bool
-        Whether to ask OpenGL even if the preferences have a name.
+        Whether to ask OpenGL even if the preferences already contain a name.
     """
     known = preferences.read().renderer
     if known and not again:

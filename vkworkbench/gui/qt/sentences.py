@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Texts for the user, in FreeCAD's language and units, with the number format of the window.
 
-Documents, CSV and JSON have English sentences and millimetres, the same for every user of a file.
+In contrast, documents, CSV and JSON have English sentences and millimetres, so that a file is the same for every user.
 """
 
 from __future__ import annotations
@@ -16,12 +16,13 @@ from vkworkbench import freecad
 from vkworkbench.gui.qt.names import QLocale
 from vkworkbench.language import Message, Reader, render
 
-# The English sentences are ASCII, for files and terminals. A window shows the typographic characters of the translations.
+# ASCII texts in the English sentences, which are made for files and terminals, and the characters that a window shows
+# instead.
 _TYPESET = (("Phi ", "φ "), ("} x {", "} × {"))
 
 
 class User(Reader):
-    """The reader with the present preferences of this FreeCAD."""
+    """The `Reader` with the language, units and number format of this FreeCAD."""
 
     def __init__(self) -> None:
         locale = QLocale()
@@ -66,7 +67,7 @@ def sentence(message: Message) -> str:
 def plain_sentence(message: Message) -> str:
     """Return the sentence of a message for the user, in a machinist's words if the message has them."""
     text = render(message, user(), plain=True)
-    return text[:1].upper() + text[1:]  # the first part of a sentence can be one that normally continues a sentence
+    return text[:1].upper() + text[1:]  # the template of the first part can begin with a small letter
 
 
 def is_chinese(text: str) -> bool:

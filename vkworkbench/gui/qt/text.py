@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Translation of texts, by the function name that Qt's lupdate searches, and descriptions of widgets without a text."""
+"""Functions for translations, with the names that Qt's lupdate searches, and for describing widgets without text."""
 
 from __future__ import annotations
 
@@ -15,6 +15,6 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP  # marks texts that FreeCAD tra
 
 
 def explain(widget: QWidget, text: str) -> None:
-    """Describe a widget without a text, by its tooltip and for screen readers, which do not read tooltips."""
+    """Describe a widget without a text by a tooltip and, for screen readers, which do not read tooltips, by a name."""
     widget.setToolTip(text)
     widget.setAccessibleName(text)

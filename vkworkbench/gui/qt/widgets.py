@@ -2,12 +2,12 @@
 """Find widgets of FreeCAD without keeping them alive.
 
 PySide keeps every widget that `findChild` returns until the parent is deleted, and the main window is never deleted. A
-simulator's panel that was found this way would be kept after it is closed. PySide would take a later widget at the same
-address for the panel, and FreeCAD could not open its simulator again. Therefore `findChild` is used only for widgets
-that live as long as the window, and no widget of FreeCAD is asked for its parent. Searching all widgets takes about 1
-ms.
+simulator's panel that was found by `findChild` would be kept after it is closed. PySide would take a later widget at
+the same address for the panel, and FreeCAD could not open its simulator again. Therefore `findChild` is used only for
+widgets that live as long as the window, and no widget of FreeCAD is asked for its parent. `find` searches all widgets.
 
-Conversely, PySide deletes the wrapper of a child when the wrapper of its parent is deleted: keep a reference to the parent.
+Conversely, PySide deletes the Python wrapper of a child when the wrapper of its parent is deleted. Therefore a module
+that uses a child keeps a reference to the parent.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from vkworkbench.gui.strategies import view
 
 
 class StrategiesCommand(DocumentCommand):
-    """Switch the colours of the active document on or off."""
+    """Switch the colours of the active document's toolpaths on or off."""
 
     name = "Vk_Strategies"
     menu = QT_TRANSLATE_NOOP("Vk_Strategies", "Show Strategies")
@@ -47,13 +47,13 @@ class StrategiesCommand(DocumentCommand):
 
 
 def follow_document(document) -> None:
-    """Show the state of a document on the command's button."""
+    """Show on the command's button whether the toolpaths of a document are coloured."""
     for action in Gui.Command.get(StrategiesCommand.name).getAction():
         action.setChecked(view.is_shown(document))
 
 
 class _ActiveDocument:
-    """Shows the state of the active document on the command's button."""
+    """Shows on the command's button whether the toolpaths of the active document are coloured."""
 
     def slotActivateDocument(self, document) -> None:
         follow_document(document)

@@ -14,7 +14,7 @@ from vkworkbench.gui.qt.names import QApplication, QColor, QFontMetrics, QImage,
 from vkworkbench.gui.qt.sentences import strategy_name
 from vkworkbench.gui.qt.text import translate
 
-_PAPER, _INK = "#f7f7f7", "#1b1b1b"  # readable on any background
+_PAPER, _INK = "#f7f7f7", "#1b1b1b"  # colours of the legend's background and text
 _SAMPLE = 26  # length of a sample line, px
 _GAP, _MARGIN = 8, 12  # distances within the legend, px
 _WIDTH = 3  # width of a sample line, px
@@ -27,7 +27,7 @@ class Legend:
         self._document = document_name
         self._entries: list[tuple[str, str]] = []
         self._root, self._image = _overlay()
-        self._keeper = coin.SoGroup()  # keeps the node, which would be deleted with the last view
+        self._keeper = coin.SoGroup()  # keeps the legend's node, which would be deleted with the last 3D view
         self._keeper.addChild(self._root)
 
     def show(self, strategies: Iterable[Strategy]) -> None:
@@ -54,7 +54,10 @@ class Legend:
 
 
 def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:
-    """Return nodes that show an image in the lower left corner, in front of everything. "Fit all" ignores them."""
+    """Return nodes that show an image in the lower left corner of a 3D view, in front of all objects.
+
+    FreeCAD's command "Fit all" ignores the nodes.
+    """
     node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # a node class of FreeCAD
     node.getField("mode").set("EXCLUDE_BBOX")
     root = coin.cast(node, "SoGroup")

@@ -18,10 +18,10 @@ from vkworkbench.gui.qt.names import QColor
 
 _NAME = "VkStrategies"
 _WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
-_DEPTH = 0.9995  # end of the depth range; below 1, lines are drawn in front of FreeCAD's lines at the same place
-_SKETCHED = 20_000  # a toolpath with more trajectories is first drawn as a sketch with this number
-_CELLS = 200  # cells of the sketch along its longest side
-_BATCH = 20_000  # points converted to Python numbers in one step
+_DEPTH = 0.9995  # end of OpenGL's depth range; if it is below 1, these lines are drawn in front of FreeCAD's lines
+_SKETCHED = 20_000  # a toolpath with more trajectories is first drawn as a sketch with this number of trajectories
+_CELLS = 200  # number of cells of the sketch along its longest side
+_BATCH = 20_000  # number of points that are converted to Python numbers in one step
 _ORIGIN = ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0})  # FreeCAD begins every toolpath here
 _STRATEGIES = tuple(Strategy)
 
@@ -34,7 +34,7 @@ class Drawing:
     ----------
     points : list of (float, float, float)
     parts : list of (str, list of int)
-        Colours, each with runs of point indices that end with -1.
+        Colours, each with the indices of the points of its lines. Each line ends with the index -1.
     strategies : frozenset of Strategy
         The strategies in the drawing; empty for a sketch.
     """
@@ -72,9 +72,9 @@ def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
 
 
 def _approach(commands: list, toolpath: Toolpath, tolerance: float) -> np.ndarray:
-    """Return the path from the origin to the first known position, (m, 3) mm.
+    """Return the path from the origin to the first position that the program determines, (m, 3) mm.
 
-    FreeCAD draws this path, with 0 for axes that are not known yet.
+    FreeCAD draws this path, and uses 0 for the coordinates that the program has not yet determined.
     """
     before = [(command.Name, command.Parameters) for command in commands[: toolpath.command[0]]]
     points = linearize([_ORIGIN, *before], tolerance=tolerance).points
@@ -110,14 +110,14 @@ def _drawing(toolpath: Toolpath, approach: np.ndarray, spans, shown: np.ndarray,
 
 
 def _strips(segments: np.ndarray) -> np.ndarray:
-    """Return runs of point indices; consecutive segments form one run, and each run ends with -1."""
+    """Return the indices of the points of lines. Consecutive segments form one line, and each line ends with -1."""
     ends = np.append(np.flatnonzero(np.diff(segments) > 1), len(segments) - 1)
     strips = np.insert(segments, ends + 1, segments[ends] + 1)
     return np.insert(strips, ends + np.arange(1, len(ends) + 1) + 1, -1)
 
 
 def _listed(array: np.ndarray, going_on: Callable) -> list:
-    """Return an array as a list, converted in small steps, because each step blocks the window."""
+    """Return an array as a list. The array is converted in small steps, because a step holds the GIL."""
     found: list = []
     for first in range(0, len(array), _BATCH):
         going_on()
@@ -140,7 +140,7 @@ class Lines:
         self.root = root = coin.SoSeparator()
         root.setName(_NAME)
         pick = coin.SoPickStyle()
-        pick.style = coin.SoPickStyle.UNPICKABLE  # FreeCAD's own lines pick the operation
+        pick.style = coin.SoPickStyle.UNPICKABLE  # a click selects the operation by FreeCAD's own lines
         light = coin.SoLightModel()
         light.model = coin.SoLightModel.BASE_COLOR
         depth = coin.SoDepthBuffer()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw toolpaths in the 3D view in the colours of their strategies, rapids grey. Documents are not changed.
+"""Draw toolpaths in the 3D view in the colours of their strategies, and rapids in grey. Documents are not changed.
 
-The lines of an operation are child nodes of its view provider, so that they are placed, hidden and deleted with the operation.
-A background thread computes the lines of a few operations at a time.
+The lines of an operation are child nodes of its view provider, so that they are placed, hidden and deleted with the
+operation. A background thread computes the lines of a few operations at a time.
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ from vkworkbench.gui.strategies.legend import Legend
 from vkworkbench.gui.strategies.lines import Drawing, Lines, drawings
 from vkworkbench.report import Cancelled
 
-_SLICE = 0.03  # seconds for copying paths before other events are handled
+_SLICE = 0.03  # longest time for copying paths before Qt handles other events, s
 
 Key = Tuple[str, str]  # names of the document and the object
 
 
 def _groups(obj) -> list[coin.SoGroup]:
-    """Return the present group nodes in which FreeCAD draws an object; empty if it draws nothing.
+    """Return the current group nodes in which FreeCAD draws an object; empty if FreeCAD does not draw it.
 
     Other code can remove the nodes, and FreeCAD crashes if a removed node is used. Therefore call this function before
-    each use.
+    each use of the nodes.
     """
     switch = obj.ViewObject.SwitchNode
     children = map(switch.getChild, range(switch.getNumChildren()))
@@ -69,7 +69,7 @@ class _Shown:
                 group.removeChild(root)
 
     def forget(self, name: str) -> None:
-        """Drop the lines of a deleted operation."""
+        """Release the lines of a deleted operation."""
         if self.lines.pop(name, None) is not None:
             self.name_colors()
 
@@ -80,14 +80,14 @@ class _Shown:
         self.legend.remove()
 
     def name_colors(self) -> None:
-        """Show the visible strategies in the legend."""
+        """Show the strategies of the visible operations in the legend."""
         document = FreeCAD.getDocument(self._document)
         visible = [lines for name, lines in self.lines.items() if document.getObject(name).Visibility]
         self.legend.show(strategy for lines in visible for strategy in lines.strategies)
 
 
 class _Drawer:
-    """Draws pending operations, a few at a time."""
+    """Draws the operations that wait to be drawn, a few at a time."""
 
     def __init__(self, cancelled: Callable) -> None:
         self._cancelled = cancelled
@@ -176,7 +176,7 @@ def _work(batch: list[tuple[Key, Source]]) -> Callable:
 
 
 def _object(key: Key):
-    """Return an operation of a coloured document; None if the operation or the colours are gone."""
+    """Return an operation of a coloured document; None if the operation was deleted or the colours were removed."""
     document = FreeCAD.listDocuments().get(key[0])
     return document.getObject(key[1]) if document is not None and key[0] in _shown else None
 
