@@ -6,6 +6,7 @@ FreeCAD does not pass arguments to scripts, so pytest's arguments are in the env
 
 from __future__ import annotations
 
+import copy
 import sys
 
 sys.modules_at_start = frozenset(sys.modules)  # tests/gui/test_vk_start.py checks which modules FreeCAD's start loads
@@ -26,11 +27,31 @@ def load_cam():
     Gui.activateWorkbench("NoneWorkbench")
 
 
+def keep_tool_shapes():
+    """Read each tool shape once. FreeCAD 1.1 would open the shape's file for each tool of each opened document."""
+    try:
+        from Path.Tool.shape import ToolBitShape
+    except ImportError:  # FreeCAD 0.20 and 1.0
+        return
+    read, kept = ToolBitShape.from_bytes, {}
+
+    def from_bytes(data, name, dependencies, serializer):
+        if (name, data) not in kept:
+            kept[name, data] = read(data, name, dependencies, serializer)
+        shape = copy.copy(kept[name, data])
+        for changeable in ("_params", "_defaults", "_param_types"):
+            setattr(shape, changeable, dict(getattr(shape, changeable)))
+        return shape
+
+    ToolBitShape.from_bytes = staticmethod(from_bytes)
+
+
 def run():
     import pytest
 
     if FreeCAD.GuiUp:
         load_cam()
+    keep_tool_shapes()
     return pytest.main([])
 
 

@@ -9,6 +9,7 @@ import zipfile
 import FreeCAD
 import FreeCADGui as Gui
 
+import vkworkbench
 from vkworkbench.document.simulation import faults as simulated_faults
 from vkworkbench.gui.strategies import view as strategy_view
 
@@ -40,13 +41,14 @@ class KeptExample:
 
     def open(self, *, may_be_marked: bool):
         """Return the document as opened by FreeCAD. It may have marks of an earlier test only if `may_be_marked`."""
-        if self.is_marked and not may_be_marked:
+        if self.is_marked and not may_be_marked and not self._clear_marks():
             self.close()
         if self.document is None:
             self.document, self.is_marked = FreeCAD.openDocument(str(self._path)), False
             self._name = self.document.Name
             self._camera = Gui.activeView().getCamera()
             self._remember()
+            self._as_opened = self._state, self._before
         else:
             FreeCAD.setActiveDocument(self._name)
             Gui.activeView().setCamera(self._camera)
@@ -63,15 +65,8 @@ class KeptExample:
             self.document.undo()
 
     def close_if_changed(self) -> None:
-        """Close the document if it differs from its state after it was opened or marked."""
-        if self.document is None:
-            return
-        if self._is_changed and self._content() == self._before:
-            for obj in self.document.Objects:  # an object that a test changed and changed back
-                if "Touched" in obj.State and obj.Name not in self._state["touched"]:
-                    obj.purgeTouched()
-            self._is_changed = False
-        if self._is_changed or self._look() != self._state:
+        """Close the document if it differs from its state after it was opened or marked, and not only by marks."""
+        if self.document is not None and not self._is_as_remembered() and not self._clear_marks():
             self.close()
 
     def close(self) -> None:
@@ -79,6 +74,29 @@ class KeptExample:
         if self._name in FreeCAD.listDocuments():
             FreeCAD.closeDocument(self._name)
         self.document, self.is_marked, self._name = None, False, None
+
+    def _is_as_remembered(self) -> bool:
+        """Return whether the document is in the remembered state, after removing the flags of undone changes."""
+        if self._is_changed and self._content() == self._before:
+            self._purge_touched(obj for obj in self.document.Objects if "Touched" in obj.State)
+            self._is_changed = False
+        return not self._is_changed and self._look() == self._state
+
+    def _clear_marks(self) -> bool:
+        """Clear the marks, and return whether the document is now as FreeCAD opened it."""
+        vkworkbench.clear(self.document)
+        self.document.clearUndos()
+        self.is_marked, self._is_changed = False, True
+        self._state, self._before = self._as_opened
+        # FreeCAD 1.1 saves the flag "touched" of Label2 too.
+        self._purge_touched(obj for obj in self.document.Objects if obj.isDerivedFrom("Path::Feature"))
+        return self._is_as_remembered()
+
+    def _purge_touched(self, objects) -> None:
+        """Remove the flag "touched" of objects that a test changed and changed back."""
+        for obj in objects:
+            if obj.Name not in self._state["touched"]:
+                obj.purgeTouched()
 
     def _remember(self) -> None:
         self._state, self._before = self._look(), self._content()

@@ -67,10 +67,14 @@ def usual_computer():
 
 @pytest.fixture(scope="session", autouse=True)
 def coarse_check():
-    """Check simulated jobs with pixels of 0.3 mm instead of 0.05 mm, to save nine tenths of the time."""
+    """Check simulated jobs with wide pixels and with few rays along walls, to save nine tenths of the time.
+
+    The tests of the core and of the documents check which faults are found.
+    """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._FINE_ENOUGH", 0.3)
+        patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._FINE_ENOUGH", 0.5)  # mm
         patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._OF_TOOL", 1.0)
+        patch.setattr("vkworkbench.core.zbuffer.findings.thin_gouges._AT_WALLS", 0.25)  # mm
         yield
 
 
@@ -190,7 +194,8 @@ class Window:
         for tabs in self.find(QtGui.QTabWidget, "combiTab"):  # FreeCAD 0.20; some workbenches turn to the tasks
             tabs.setCurrentIndex(0)
         for bar in self.find(QtGui.QToolBar):
-            if bar.objectName() == "Toolpath Analysis":  # in a separate row, the toolbar has room for all its buttons
+            # In a separate row, the toolbar has room for all its buttons.
+            if bar.objectName() == "Toolpath Analysis" and not self.main.toolBarBreak(bar):
                 self.main.insertToolBarBreak(bar)
         self.settle()
 
