@@ -9,8 +9,8 @@
 #
 #     tests/run.sh [everywhere] [tools|core|document|gui|FOLDER|FILE] [0.20.2|1.0.0|1.1.3] [PYTEST ARGUMENTS]
 #
-# The document and window layers run on all three FreeCADs. The core needs no FreeCAD: it runs whole on the first Python
-# and numpy, and on the other two without the tests that are marked `long` or `sources` (see pyproject.toml).
+# All tests run on the first FreeCAD with its Python and numpy. The other two leave out the tests that are marked `long`
+# or `sources` (see pyproject.toml).
 #
 # The FreeCADs come from Debian: one from the machine's own release, the others in roots that are made once, in a few
 # minutes each, in a cache folder. ruff and mypy, the tools, come from PyPI. VKWORKBENCH_SCALE=2 runs the windows as on a
@@ -59,9 +59,9 @@ prepare() {
 
 # run SUITE whole|part PYTEST ARGUMENTS...: run the layers on the FreeCAD of SUITE. If there is no way to, write down why.
 run() {
-    local suite=$1 core=$2 root=$cache/roots/$1 folder=$results/$1 status=0
+    local suite=$1 extent=$2 root=$cache/roots/$1 folder=$results/$1 status=0
     shift 2
-    local command=(tests/run_layers.sh "$folder" "$layers" "$core" "$place" "$@")
+    local command=(tests/run_layers.sh "$folder" "$layers" "$extent" "$place" "$@")
     if [ "$suite" = "$own" ]; then
         "${command[@]}"
         return
@@ -98,7 +98,7 @@ start() {
 }
 case " $layers " in *" tools "*) start tests/tools.sh "$results" "$cache" ;; esac
 layers=${layers#tools}
-core=whole
+extent=whole
 for suite in $suites; do
     if [ "$suite" = "$own" ]; then
         mv "$results/own" "$results/$suite"
@@ -106,8 +106,8 @@ for suite in $suites; do
     else
         prepare "$suite" tests/as_root.sh tests/make_root.sh "$suite" "$cache/roots/$suite" || continue
     fi
-    start run "$suite" "$core" "$@"
-    [ -n "$everywhere" ] || core=part
+    start run "$suite" "$extent" "$@"
+    [ -n "$everywhere" ] || extent=part
 done
 failed=0
 for each in "${running[@]}"; do

@@ -3,13 +3,13 @@
 # run_layers.sh RESULTS LAYERS whole|part PLACE [PYTEST ARGUMENTS]
 #
 # Run the tests of each of LAYERS, in PLACE if that is not empty, with the FreeCAD and Python of this system. "part"
-# leaves out the tests of the core that are marked `long` or `sources`. Writes into the folder RESULTS, for each layer,
+# leaves out the tests that are marked `long` or `sources`. Writes into the folder RESULTS, for each layer,
 # the log, the JUnit report, the exit status and the seconds that it took; summary.py reads them.
 set -euo pipefail
 
 results=$1
 layers=$2
-core=$3
+extent=$3
 place=$4
 shift 4
 cd "$(dirname "$0")/.."
@@ -26,11 +26,9 @@ for layer in $layers; do
     tests/make_home.sh "$home"
     limit=(timeout --foreground -k 10 3600) # s; in the foreground, so that Ctrl-C reaches the tests
     options=(--junit-xml="$results/$layer.xml")
+    [ "$extent" = whole ] || options+=(-m "not long and not sources")
     case $layer in
-        core)
-            command=("${limit[@]}" /usr/bin/python3 -m pytest -n "$(nproc)")
-            [ "$core" = whole ] || options+=(-m "not long and not sources")
-            ;;
+        core) command=("${limit[@]}" /usr/bin/python3 -m pytest -n "$(nproc)") ;;
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
         gui) command=(xvfb-run -a -s "-screen 0 $((1280 * scale))x$((1024 * scale))x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac

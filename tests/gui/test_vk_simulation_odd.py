@@ -294,7 +294,12 @@ def many_operations(document):
     job.Operations.Group = rows
 
 
-@pytest.mark.parametrize("odd", [large_part, small_part, only_drilling, all_crashes, many_operations, no_model, one_move, no_feed, moves_without_length, far_away, huge_tool, tiny_tool, tiny_stock, flat_stock])  # fmt: skip
+# Unusual moves and sizes affect only the package's own simulation, so they are tested on one FreeCAD.
+ODD_MOVES = [large_part, small_part, only_drilling, all_crashes, moves_without_length, far_away, huge_tool, tiny_tool]
+ODD_OBJECTS = [many_operations, no_model, one_move, no_feed, tiny_stock, flat_stock]
+
+
+@pytest.mark.parametrize("odd", [*ODD_OBJECTS, *(pytest.param(odd, marks=pytest.mark.long) for odd in ODD_MOVES)])
 def test_odd_job_is_shown_without_an_error(bare, window, odd):
     odd(bare)
     window.click(COMMAND)
