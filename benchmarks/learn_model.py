@@ -3,9 +3,8 @@
 """Learn the model of the recognition from the table alone, and judge it on sources that it was not learned from.
 
     python3 benchmarks/learn_model.py              # learns and writes vkworkbench/core/recognition/verdict/model.npz
-    python3 benchmarks/learn_model.py --check      # fails if the shipped model differs from the model learned from the
-    table python3 benchmarks/learn_model.py --judge      # prints the accuracy on sources that are left out of the
-    learning
+    python3 benchmarks/learn_model.py --check      # fails if the shipped model is not the one that the table gives
+    python3 benchmarks/learn_model.py --judge      # prints the accuracy on sources left out of the learning
 
 The table is benchmarks/labelled_operations.csv, which make_table.py writes. The script needs the version of
 scikit-learn in tests/tools.txt.

@@ -71,7 +71,7 @@ class JobCommand(DocumentCommand):
 
 
 class ClampsCommand(JobCommand):
-    """Make the selected solids the clamps of a job. If no solid is selected, show the clamps and offer to remove them."""
+    """Make the selected solids the clamps of a job. If no solid is selected, show the clamps, to remove them."""
 
     name = "Vk_Clamps"
     menu = QT_TRANSLATE_NOOP("Vk_Clamps", "Set Clamps from Selection")

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert commands and NC programs into toolpaths.
 
-The input is a list of commands in mm and mm/s, as ``(name, parameters)`` pairs or as FreeCAD's objects. `linearize`
-returns a `Toolpath`: straight trajectories with their source commands, and the problems found. `Words` stores commands
-as columns, for code that needs words which trajectories do not contain.
+`linearize` converts a list of commands in mm and mm/s, either ``(name, parameters)`` pairs or FreeCAD's objects, into a
+`Toolpath`: straight trajectories with their source commands, and the problems found. `Words` stores the commands as
+columns, for code that needs words which trajectories do not contain.
 
 `read_program` converts the text of an NC program into commands. `split_sections` finds the operations and the tools of
-a program, and `title_of` separates titles of operations from other comments. `looks_like_inches` and
-`looks_like_increments` return whether inches or thousandths were read as millimetres. `in_seconds` corrects feeds in
-mm/min that were read as mm/s.
+a program, and `title_of` separates titles of operations from other comments. `looks_like_inches`
+returns whether inches were probably read as millimetres, and `looks_like_increments` whether thousandths of a
+millimetre were. `in_seconds` corrects feed rates in mm/min that were read as mm/s.
 """
 
 from vkworkbench.core.gcode.blocks import split_comments, split_words

@@ -8,8 +8,8 @@ from array import array
 from collections.abc import Iterator
 from itertools import accumulate
 
-# A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. LinuxCNC's polar coordinates use @ and ^ as letters.
-# Fanuc's words ,R ,C and ,A describe the corner after a move, and the direction of a move.
+# A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. The letters of LinuxCNC's polar coordinates are @ and ^.
+# Fanuc's letters ,R and ,C are for the corner after a move, and ,A is for the direction of a move.
 # Spaces between letter and number are allowed (RS274/NGC, Kramer et al. 2000).
 _WORD = re.compile(r"([A-Z@^]|,[ACR])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
@@ -17,7 +17,7 @@ LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
 
 
 class Lines:
-    """The lines of a text, with any kind of line ends. A list of the lines would need three times the memory.
+    """The lines of a text, which can end with LF, CR or both. A list of the lines would need three times the memory.
 
     Parameters
     ----------
@@ -27,7 +27,8 @@ class Lines:
 
     def __init__(self, text: str) -> None:
         self._text = text.replace("\r\n", "\n").replace("\r", "\n")
-        # Index of the first character of each line, and of the line that would follow.
+        # For each line, the index of its first character in the text. The last element is for a line after the last
+        # line.
         self._starts = array("q", accumulate((len(line) + 1 for line in self), initial=0))
 
     def __len__(self) -> int:
@@ -76,10 +77,10 @@ def split_comments(line: str) -> tuple[str, list[str]]:
 
 
 def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
-    """Return the words and the remaining text of a line, which must be in capitals and without comments."""
+    """Return the words of a line, which must be in capitals and without comments, and the rest of the line's text."""
     parts = _WORD.split(code)
     rest = "".join(parts[::3]).strip()
-    if rest:  # spaces are allowed anywhere, even within a number
+    if rest:  # controls ignore spaces, even within a number
         squeezed = _WORD.split("".join(code.split()))
         if not any(squeezed[::3]):
             parts, rest = squeezed, ""
@@ -87,5 +88,5 @@ def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
 
 
 def whole(value: float, most: int) -> int:
-    """Return a value, limited to -1 ... `most`, as the nearest whole number."""
+    """Limit a value to the range from -1 to `most`, and return the nearest whole number."""
     return round(max(-1.0, min(value, most)))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read many plain lines at once, as columns. Most programs consist mostly of plain lines.
+"""Read many plain program lines at once, as columns. Most lines of most programs are plain.
 
 A plain line contains only words of a straight move or an arc (G0 to G3, X, Y, Z, I, J, K, R, F) and a line number, and
-each word at most once. An empty line is also plain. `PlainLines.read` adds the same commands as the interpreter would
-add, and leaves the machine in the same state. `PlainLines.read` reads nothing unless `Machine.moves_plainly` is true.
-The interpreter reads all other lines.
+each letter at most once. An empty line is also plain. `PlainLines.read` adds the commands that the interpreter would
+add, and leaves the machine in the state in which the interpreter would leave it. `PlainLines.read` reads lines only
+while `Machine.moves_plainly` is true. The interpreter reads all other lines.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves import codes
 
-# Largest number of lines and of characters that are read at once; a single line can be longer. Higher: more memory.
+# Largest number of lines, and of characters, that are read at once; a single line can be longer. Higher: more memory.
 _LINES, _CHARACTERS = 20_000, 2_000_000
-# Largest number of digits of a number. Integers of up to 15 digits and powers of ten up to 1e15 are exact, so a
-# quotient of the two is rounded only once.
+# Largest number of digits in the number of a word. Integers of up to 15 digits and powers of ten up to 1e15 are exact
+# floats, so the quotient of an integer and a power is rounded only once.
 _MOST_DIGITS = 15
 _MOTIONS = (codes.RAPID, codes.FEED, *codes.ARCS)
 _LETTERS = "NGXYZIJKRF"
@@ -36,7 +36,7 @@ _FOLLOWERS = {
     _SIGN: (_DIGIT, _POINT),
     _LETTER: (_DIGIT, _POINT, _SIGN),
     _OTHER: (),
-}  # kinds of characters that can follow a character in a plain line
+}  # for each kind of character, the kinds that can follow it in a plain line
 
 
 def _kinds() -> np.ndarray:
@@ -55,9 +55,9 @@ def _pairs() -> np.ndarray:
 
 
 def _sets() -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of letters of each set of letters, and whether a plain line can contain the set.
+    """Return, for each set of letters, the number of letters, and whether a plain line can contain exactly this set.
 
-    A plain line cannot contain an arc in X and Z, because the interpreter must note such an arc as a sign of a lathe.
+    A line with an arc in X and Z is not plain, because the interpreter must note such an arc as a sign of a lathe.
     """
     sets = np.arange(1 << len(_LETTERS))
     has = {letter: sets & bit > 0 for letter, bit in _BITS.items()}
@@ -68,12 +68,12 @@ def _sets() -> tuple[np.ndarray, np.ndarray]:
 _KINDS, _PAIRS, (_SIZES, _USABLE) = _kinds(), _pairs(), _sets()
 _LETTER_BITS = np.zeros(256)
 _LETTER_BITS[np.frombuffer(_LETTERS.encode(), np.uint8)] = list(_BITS.values())
-_FORM = 16  # base of the numbers in `_texts`; larger than the numbers of letters and of names
+_FORM = 16  # base of the numbers in `_texts`; larger than the count of letters and the count of names
 _LETTER_CODES = np.zeros(256)
 _LETTER_CODES[np.frombuffer(_LETTERS.encode(), np.uint8)] = 1 + np.arange(len(_LETTERS))
 _POWERS = 10.0 ** np.arange(_MOST_DIGITS + 1)
 _AXES = sum(_BITS[letter] for letter in "XYZIJKR")
-_FEED_ALONE = 5  # index in `_NAMES`, after the modal move (0) and G0 to G3
+_FEED_ALONE = 5  # index in `_NAMES`; 0 is the empty name of a modal move, 1 to 4 are G0 to G3
 _NAMES = ("", *map(codes.name_of, _MOTIONS), codes.name_of(codes.PER_MINUTE))
 
 
@@ -91,20 +91,20 @@ class PlainLines:
         self._block = _Block.of_lines(lines, 0)
 
     def read(self, machine: Interpreter, index: int, end: int) -> tuple[int, int]:
-        """Read successive plain lines, beginning at an index. If `machine.moves_plainly` is false, nothing is read.
+        """Read successive plain lines from the line `index` on. If `machine.moves_plainly` is false, read nothing.
 
         Parameters
         ----------
         machine : Interpreter
         index, end : int
-            Index of the first line, and of the line after the last line that may be read.
+            Index of the first line, and of the line at which reading must stop.
 
         Returns
         -------
         int
             Index of the line after the last line read; `index` if none was read.
         int
-            Number of the lines read that are not empty.
+            Number of lines read, without empty lines.
         """
         if not machine.moves_plainly:
             return index, 0
@@ -135,7 +135,7 @@ class _Block:
     others : list of int
         Indices of the lines that are not plain, ascending.
     not_empty, commands_before, values_before : (last - first + 1,) int64
-        Number of lines that are not empty, number of commands, and number of values before each line.
+        Before each line of the block: number of lines that are not empty, number of commands, and number of values.
     rows : (c,) int64
         Index of the line of each command.
     motions : (c,) int64
@@ -145,7 +145,7 @@ class _Block:
     counts : (c,) int64
         Number of values of each command.
     values : (v,) float64
-        The values as in the text.
+        The values of all commands, in the units of the text.
     of : (v,) uint8
         The letter of each value.
     """
@@ -166,7 +166,7 @@ class _Block:
 
     @staticmethod
     def of_lines(lines: Lines, first: int) -> _Block:
-        """Return the block that begins with a line."""
+        """Return the block whose first line is the line `first`."""
         last = min(len(lines), first + _LINES)
         while last > first + 1 and lines.size(first, last) > _CHARACTERS:
             last = first + (last - first) // 2
@@ -186,7 +186,7 @@ class _Block:
         kept = ~(selects | (letter == ord("N")))
         letter, line, value = letter[kept], line[kept], value[kept]
         is_feed = letter == ord("F")
-        if (is_feed[:-1] & (line[1:] == line[:-1])).any():  # the interpreter makes F the last parameter
+        if (is_feed[:-1] & (line[1:] == line[:-1])).any():  # as in the interpreter, F is the last parameter
             order = np.argsort(2 * line + is_feed, kind="stable")
             letter, value = letter[order], value[order]
         counts = np.bincount(line, minlength=count)
@@ -209,15 +209,15 @@ class _Block:
 
 
 def _before(counts: np.ndarray) -> np.ndarray:
-    """Return the sum of the counts before each line and after the last line, (n + 1,) int."""
+    """Return the sum of the counts before each of n lines and after the last line, (n + 1,) int."""
     return np.concatenate([[0], np.cumsum(counts)])
 
 
 def _texts(forms: np.ndarray) -> tuple[list[str], list[str]]:
     """Return the names and the letters of commands.
 
-    The form of a command is a number in base `_FORM`. Its last digit is the index of the name, and the other digits are
-    the numbers of the letters.
+    The form of a command is a number in base `_FORM`. The last digit is the index of the name in `_NAMES`, and each
+    other digit is the place of a letter in `_LETTERS`, counted from 1.
     """
     known, inverse = np.unique(forms, return_inverse=True)
     names, letters = [], []
@@ -234,14 +234,14 @@ def _texts(forms: np.ndarray) -> tuple[list[str], list[str]]:
 
 
 def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return whether each line consists of words with short numbers, (n,) bool, and the words of the lines as columns.
+    """Return whether each of n lines consists of words with short numbers, (n,) bool, and three columns for all words.
 
-    The columns contain the letter, the line and the value of each word.
+    The three columns contain each word's letter, line and value.
     """
     characters = np.frombuffer(text.encode("ascii", "replace").upper() + b"\n", np.uint8)
     kinds = _KINDS[characters]
     pairs = kinds.copy()
-    pairs[1:] += 8 * kinds[:-1]  # the first character is treated as if a line end preceded it
+    pairs[1:] += 8 * kinds[:-1]  # the first character is checked as if a line end preceded it
     ends = np.flatnonzero(kinds == _END)
     plain = np.ones(count, bool)
     plain[np.searchsorted(ends, np.flatnonzero(~_PAIRS[pairs]))] = False
@@ -255,7 +255,7 @@ def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, n
     stop = np.append(begin, len(digits))[1:]
     points = np.flatnonzero(kinds == _POINT)
     word = np.searchsorted(letters, points) - 1  # index of the word that contains each point
-    behind = np.zeros(len(letters), np.int64)  # number of digits behind the point of each word
+    behind = np.zeros(len(letters), np.int64)  # number of digits after the decimal point of each word
     behind[word] = stop[word] - number[points]
     short = (stop > begin) & (stop - begin <= _MOST_DIGITS) & (np.bincount(word, minlength=len(letters)) <= 1)
     power = np.repeat(stop, stop - begin) - 1 - np.arange(len(digits))

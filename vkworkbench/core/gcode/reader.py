@@ -2,8 +2,8 @@
 """Convert the text of an NC program into commands, in mm and mm/s.
 
 The dialect is RS274/NGC (Kramer, Proctor and Messina, NISTIR 6556, 2000) with additions from Fanuc, Haas, Mach3, grbl
-and LinuxCNC. The codes of Heidenhain's DIN/ISO that move the tool are read, too. This module splits each line into
-words, and the interpreter converts the words into commands.
+and LinuxCNC. The codes of Heidenhain's DIN/ISO that move the tool are also read. This module splits each program line
+into words, and `Interpreter` converts the words into commands.
 """
 
 from __future__ import annotations
@@ -27,24 +27,25 @@ _OKUMA_LETTERS = re.compile(r"(?<![A-Z])([HD])[ABC](?![A-Z\d=])")
 _COOLANT = frozenset([("M", 7.0), ("M", 8.0), ("M", 9.0)])
 _DWELL = ("G", 4.0)
 _MODES = frozenset([*(("G", float(code)) for code in (20, 21, 40, 90, 91, 92)), ("M", 3.0), ("M", 4.0), ("M", 5.0)])
-_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")  # first and last line of a Heidenhain program
-_PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number may precede the sign
+# The first line and the last line of a Heidenhain program.
+_HEIDENHAIN_NAME = re.compile(r"(?:N\s*\d+\s*)?%\s*\S+\s+G(7[01])$")
+_PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number can precede the percent sign
 _CHECKSUM = re.compile(r"^(N[^#=\[]*?)\s*\*\s*\d{1,3}$|\s*\*$")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
-# Lines that do not move the tool: queries and unlock commands of grbl, and print commands of Fanuc and Haas controls.
+# Program lines that do not move the tool: grbl's queries and unlock command, and Fanuc's and Haas' print commands.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
-# A foreign word, which the reader ignores in a line that begins with a motion (`_MOVE`).
+# Text that is not a word of G-code. The reader ignores this text in a line that begins with a motion (`_MOVE`).
 _FOREIGN = re.compile(r"[^\s\d.+\-A-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
 _MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
-# Words for jumps, loops and calls in lines that cannot be read.
+# Statements for jumps, loops and calls, in lines that cannot be parsed.
 _FLOW = re.compile(r"\b(IF|THEN|ELSE|WHILE|GOTO|DO\s*\d|END\s*\d|ENDIF|ENDWHILE|REPEAT)|^O\s*[\d<].*\b(SUB|CALL|DO)\b")
 _MACRO_CALL = ("G", 65.0)
 _TOOL_DIAMETER = re.compile(r"#\s*<\s*_?TOOL_?DIA(?:METER)?\s*>\s*=\s*(\d+\.?\d*|\.\d+)$")
-# A word whose number is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
+# A word whose value is a variable or an expression: X#1, Z#<depth>, Y[1 + 2].
 _MACRO_WORD = re.compile(r"[A-Z]\s*[-+]?\s*(?:#+(?:\d+|<[^>]*>)|\[[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*\])")
 
 
@@ -52,10 +53,10 @@ def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
     Lines with a block delete (``/``) are read like other lines, and reported. Lines after M2 or M30 are read as part of
-    the program, up to the number of another program. If the program calls its own blocks (M97, or M98 with Q), or has
-    loops, conditions or calls of macros, M2 and M30 end the program. A subprogram in the same text is read at each
-    call, as if all its words were in the line of the call. Variables and expressions are replaced by numbers; loops,
-    conditions and jumps are followed (`flow`).
+    the program, up to the number of another program. But M2 and M30 end a program that calls its own blocks (M97, or
+    M98 with Q), or that has loops, conditions or calls of macros. A subprogram in the same text is read at each call,
+    as if all words of the subprogram were in the line of the call. Variables and expressions are replaced by numbers.
+    Loops, conditions and jumps are followed (`flow`).
 
     Three parts of a program are not read, but reported as problems with their lines: subprograms outside of this text,
     subprograms that are called in other ways, and the rest of a program from a line that cannot be followed.
@@ -63,7 +64,7 @@ def read_program(text: str) -> Program:
     Parameters
     ----------
     text : str
-        Text of the program, with any kind of line ends.
+        Text of the program. Lines can end with LF, CR or both.
 
     Raises
     ------
@@ -81,8 +82,8 @@ class _Reader:
     Attributes
     ----------
     number : int
-        The current line, counted from 1. This number never decreases: in a subprogram it is the line of the call, and
-        in lines that are read again it is the last line before the jump.
+        Number of the current line, counted from 1. The number never decreases: in a subprogram, `number` is the line of
+        the call. In lines that are read again, `number` is the last line before the jump.
     """
 
     def __init__(self, lines: Lines, dialect: dialects.Dialect) -> None:
@@ -95,13 +96,13 @@ class _Reader:
             self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
-        self.in_called = False  # whether this line belongs to a subprogram that is read only at its calls
+        self.in_called = False  # whether the current line belongs to a subprogram that is read only at its calls
         self.passed: list[int] = []  # indices of lines with the number of a subprogram that is read only at its calls
         self.ran: set[int] = set()  # indices of the lines that were read in calls
         self.calls: list[int] = []  # indices of the current subprograms' first lines, outermost call first
-        self.jump: int | None = None  # index of the line that follows this line; None for the next line
-        self.again = False  # whether this line is at or before the line `number`: after a jump back, or in a call
-        self.deleted = False  # whether this line has a block delete
+        self.jump: int | None = None  # index of the line to which the current line jumps; None without a jump
+        self.again = False  # whether the current line is not after line `number`: after a jump back, or in a call
+        self.deleted = False  # whether the current line has a block delete
         self.number = 0
         self.blocks = 0
         self.strange: list[int] = []
@@ -117,7 +118,7 @@ class _Reader:
             self._after_end(last + 1)
 
     def _run(self, index: int, end: int) -> int:
-        """Read the lines from an index to an end, and follow jumps.
+        """Read the lines from `index` to `end` - 1, and follow jumps.
 
         Returns
         -------
@@ -148,7 +149,7 @@ class _Reader:
         line = self.lines[index]
         code, comments = split_comments(line)
         code = code.strip().upper()
-        if "*" in code:  # an asterisk ends the block; a checksum can follow
+        if "*" in code:  # an asterisk ends the words of a line; a checksum can follow
             code = _CHECKSUM.sub(r"\1", code)
         if "%" in code:
             ends = self._percent(code)
@@ -173,7 +174,7 @@ class _Reader:
         return self._block(index, code, comments)
 
     def _percent(self, code: str) -> bool | None:
-        """Return whether a line with a percent sign ends the program; None if the sign has no meaning."""
+        """Return whether a line with a percent sign ends the program; None if the sign has no meaning in the line."""
         if name := _HEIDENHAIN_NAME.match(code):
             return self.machine.heidenhain(self.number, 10 * int(name[1]))
         if percent := _PERCENT.match(code):
@@ -204,7 +205,7 @@ class _Reader:
         self.blocks += 1
         words, rest = split_words(code)
         if rest:
-            if diameter := _TOOL_DIAMETER.search(code):  # this variable describes the tool, like a comment
+            if diameter := _TOOL_DIAMETER.search(code):  # the value of this variable is read like a comment on the tool
                 comments = [f"tool diameter = {diameter[1]}", *comments]
             step = self.flow.step(index, code)
             self._remark()
@@ -234,7 +235,7 @@ class _Reader:
 
     @property
     def _ended(self) -> bool:
-        """Whether M2 or M30 ended the program, so that the lines after it are subprograms or error messages."""
+        """Whether M2 or M30 ended the program, so that the lines after M2 or M30 are subprograms or error messages."""
         return self.machine.ended and (self.machine.calls_blocks or self.flow.followed)
 
     def _follow(self, step: Step) -> bool:
@@ -254,7 +255,7 @@ class _Reader:
         self._run_call(Call(first, self.subprograms.end(first), times))
 
     def _call_macro(self, words: list[tuple[str, float]]) -> bool:
-        """Run a macro in the same text with the arguments in a line with G65; return whether the macro is in the text."""
+        """Run a macro with the arguments in a line with G65; return whether the macro is in the same text."""
         values = dict(words)
         first = self.subprograms.program(values["P"])
         if first is None:
@@ -291,13 +292,13 @@ class _Reader:
         self.machine.problem(what, self.number if line is None else line)
 
     def _remark(self) -> None:
-        """Report the remarks of the flow on this line."""
+        """Report the remarks of `Flow` on the current line."""
         for what in self.flow.remarks:
             self._problem(what)
         self.flow.remarks.clear()
 
     def _rest(self, line: str, code: str) -> list[tuple[str, float]] | None:
-        """Return the words of a line that can also contain other text; None if the line cannot be read."""
+        """Return the words of a line that also contains other text; None if the line cannot be read."""
         words, rest = split_words(code)
         if not rest:
             return words
@@ -314,7 +315,8 @@ class _Reader:
             words, rest = split_words(_MACRO_WORD.sub(" ", code))
             self._problem(Message("line-with-variables") if rest else Message("variables-not-read"))
             return None if rest else words
-        if rest in ("", "N") or (rest != ":" and PROGRAM_NUMBER.fullmatch(rest)):  # N without a number; :1000
+        # An N without a number, or a program number such as :1000.
+        if rest in ("", "N") or (rest != ":" and PROGRAM_NUMBER.fullmatch(rest)):
             return words
         if rest == ":":  # some programs have a colon before a comment without parentheses
             return None
@@ -347,7 +349,7 @@ class _Reader:
 
     def _after_end(self, first: int) -> None:
         """Report the first line with a move, at or after the index `first`, that was not read in a call."""
-        # Lines of a called subprogram are not reported, because a subprogram may skip some of its lines.
+        # Lines of a called subprogram are not reported, because a subprogram can skip some of its lines.
         ran = {self.subprograms.head(index) for index in self.ran} if self.flow.followed else set()
         for index in range(first, len(self.lines)):
             if index in self.ran or self.subprograms.head(index) in ran:
@@ -359,7 +361,7 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        # If conditions were followed, a subprogram without a call is not an error, because its call may be skipped.
+        # If conditions were followed, a subprogram without a call is not an error, because its call can be skipped.
         passed = self.passed if not self.flow.followed else [] if self.machine.moves else sorted(self.flow.passed)
         for index in passed:
             if index not in self.ran:
@@ -378,13 +380,13 @@ class _Reader:
 def _no_explanations(words: list[tuple[str, float]], comments: list[str]) -> list[str]:
     """Return the comments of a line, without comments that only explain the line's codes.
 
-    In a line with a coolant code, all comments are explanations. In a line with a dwell, a mode (`_MODES`), or only a
-    feed rate or speed, all comments except for descriptions of tools are explanations.
+    In a line with a coolant code, every comment explains the code. In a line with a dwell, a mode (`_MODES`), or only a
+    feed rate or a spindle speed, every comment that does not describe a tool explains the line.
     """
     codes = {word for word in words if word[0] in "GM"}
     if not _COOLANT.isdisjoint(codes):
         return []
     says_modes = bool(codes) or any(letter in "SF" for letter, _ in words)
-    if _DWELL in codes or (says_modes and codes <= _MODES):  # pcb2gcode describes the next tool beside a dwell
+    if _DWELL in codes or (says_modes and codes <= _MODES):  # pcb2gcode describes the next tool in the line of a dwell
         return [comment for comment in comments if tool_told(comment, inches=False) is not None]
     return comments

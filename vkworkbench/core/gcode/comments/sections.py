@@ -21,29 +21,29 @@ from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.tool import Tool
 
-# Largest number of titles that differ only in their numbers. More such titles number the passes of a program, not its
-# operations.
+# Largest number of titles that differ only in their numbers. If there are more such titles, the numbers count the
+# passes of the program, not the operations.
 MANY_TITLES = 50
 
 _AXES = frozenset("XYZ")
-# pcb-gcode writes these words in one comment and the diameter in the next.
+# pcb-gcode writes these words in one comment, and the tool's diameter in the next comment.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
-# NX writes the tool's name in one comment, and its diameter in a comment in the next line.
+# NX writes the tool's name in one comment, and the tool's diameter in a comment in the next line.
 _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s*[:=#]|T\d+\b)", re.IGNORECASE)
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
-# Tool descriptions that cannot serve as a tool's name.
+# Comments that describe a tool without its name.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
 # The name of a FreeCAD tool controller. Unlike other tool descriptions, this name is also a title: it begins an
 # operation that has no other title, even for a control without M6.
 _CONTROLLER = re.compile(r"\s*TC: \S")
-# Estlcam lists the tools in the comments below this one.
+# Below this comment, Estlcam lists the tools in further comments.
 _REQUIRED_TOOLS = re.compile(r"\s*required tools:\s*", re.IGNORECASE)
-# Fusion lists the tools at the top, and writes a tool's own comment in the line below the tool change.
+# Fusion lists the tools at the top of the program, and writes the comment on each tool below its tool change.
 _TOOL_OF_FUSION = re.compile(r"\s*T\d+\s+D=\S+\s+CR=", re.IGNORECASE)
 _MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # MSG shows the rest of the comment to the operator
 
-# Comments with which py2gcode, FreeCAD, and FreeCAD for UCCNC begin and end an operation. The comments between these
-# two describe the operation's parameters and passes.
+# Comments at the begin and at the end of an operation, from py2gcode, FreeCAD, and FreeCAD's post processor for UCCNC.
+# The comments between a begin and an end describe the operation's parameters and passes.
 _FROM = re.compile(r"Begin (\w+)|(?i:begin operation|operation start): (\S.*)")
 _TO = re.compile(r"End (\w+)|(?i:(?:finish|end) operation|operation done): (\S.*)")
 
@@ -55,13 +55,13 @@ class Section:
     Attributes
     ----------
     title : str
-        Title from the program's comments, otherwise the name of the tool; empty if the comments contain neither.
+        Title in the program's comments; without a title, the tool's name; empty if the comments contain neither.
     number : int or None
-        Number of the tool.
+        The tool's number in T words.
     tool : Tool or None
         The tool that the program's comments describe; None if no comment describes the tool.
     first, last : int
-        First and last line, counted from 1.
+        First and last line of the operation in the text, counted from 1.
     """
 
     title: str
@@ -77,7 +77,7 @@ class _Mark(NamedTuple):
     Attributes
     ----------
     at, line : int
-        Index of the command that follows the comment, or that changes the tool; and the line of the comment or change.
+        Index of the command after the comment, or of the tool change; and line of the comment or tool change.
     what : str, float or None
         The comment's text, or the number of the new tool; None if no T word names the tool.
     called : bool
@@ -104,21 +104,21 @@ class _Group:
     line : int
         Line of the first comment or tool change.
     title : str
-        The last title outside of subprograms.
+        The last title in a comment outside of subprograms.
     called : str
-        The first title within a subprogram.
+        The first title in a comment within a subprogram.
     headings
-        All comments with a title, including the numbers that post processors write before the titles.
+        All comments with a title, with the numbers that post processors write before titles.
     change, number
-        Line of the last tool change and the number of its tool; None if the group has no tool change.
+        Line of the last tool change, and number of the new tool; None if the group has no tool change.
     tool
-        The tool of a comment without a tool number, or the known tool whose number a comment names.
+        The tool that a comment without a tool number describes, or the known tool whose number a comment contains.
     tool_name
-        Text of the comment that describes the tool of the group.
+        Text of the comment that describes the group's tool.
     told
-        Line of the comment that describes the tool in `tool`.
+        Line of the comment that describes `tool`.
     known : dict
-        The tools described so far, by their numbers.
+        The tools that comments up to this group describe, by tool number.
     """
 
     line: int
@@ -139,7 +139,7 @@ def split_sections(program: Program) -> tuple[Section, ...]:
     Returns
     -------
     tuple of Section
-        At least one section. Every line with a command is in exactly one section.
+        At least one section. Every program line with a command is in exactly one section.
     """
     groups = _Groups(program).groups
     forms = Counter(_form(group.title) for group in groups if group.title and group.change is None)
@@ -178,8 +178,8 @@ class _Groups:
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
-        self._begun = ""  # name of the current operation, between its begin and end comments
-        # The tools described so far.
+        self._begun = ""  # name of the operation between a begin comment and an end comment; otherwise empty
+        # The tools that the comments read so far describe.
         self._known: dict[int, Tool] = _only_required_tool(program)
         self._is_fusion = any(_TOOL_OF_FUSION.match(text) for _, _, text in program.comments)
         self.groups = [_Group(min([int(program.lines[0]), *(mark.line for mark in marks[:1])]), known=self._known)]
@@ -204,7 +204,7 @@ class _Groups:
             self._tool(mark.line, told, "" if _NO_NAME.match(text) else _MESSAGE.sub("", text))
 
     def _title(self, mark: _Mark, text: str) -> None:
-        """Store the title in a comment, and the known tool whose number the comment names."""
+        """Store a comment's title, and the known tool whose number the comment contains."""
         group = self.groups[-1]
         if group.number is None:
             number = number_named(text)
@@ -229,7 +229,7 @@ class _Groups:
         return title
 
     def _tool(self, line: int, told: ToldTool, name: str) -> None:
-        """Store the tool that a comment describes: under its number, or without a number for the next operation."""
+        """Store the tool that a comment describes, by its number; a tool without a number is for the next operation."""
         group, number = self.groups[-1], told.number
         change = line if line in self._changes else group.change
         if number is None and change is not None and line not in self._changes:
@@ -259,9 +259,9 @@ def _only_required_tool(program: Program) -> dict[int, Tool]:
 
 
 def _named(pattern: re.Pattern[str], comment: str) -> str:
-    """Return the operation's name that a pattern finds in a comment; empty if the pattern does not match.
+    """Return the name of an operation that a pattern finds in a comment; empty if the pattern does not match.
 
-    The pattern has one group for each way to write the comment.
+    Each group of the pattern finds the name in another form of the comment.
     """
     found = pattern.fullmatch(comment.strip())
     return next(filter(None, found.groups())).strip() if found else ""
@@ -293,7 +293,7 @@ def _beside_a_move(program: Program, at: int, line: int) -> bool:
 
 
 def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
-    """Return the comments that list later tools, as pairs of the number of cuts before the comment and its text.
+    """Return the comments that list later tools, as pairs: number of cuts before the comment, and text of the comment.
 
     A comment lists a later tool if its text is repeated at the change to another tool. A single repeated comment is not
     a list, because one description can fit several tools. A list between two cuts must contain comments on at least two
@@ -310,7 +310,7 @@ def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
 
 
 def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int, int, str]]:
-    """Yield the comments; join a tool's size to the previous comment, which contains the label or the tool's name."""
+    """Yield the comments; append a comment with only a tool's size to the comment before, which has the tool's name."""
     before, size, next_line = "", False, 0
     for at, line, text in comments:
         joined = before and (size or (line == next_line and _ITS_DIAMETER.match(text)))
@@ -322,7 +322,7 @@ def _with_sizes(comments: Iterable[tuple[int, int, str]]) -> Iterator[tuple[int,
 def _cuts(program: Program) -> np.ndarray:
     """Return the indices of the commands that cut, ascending, (n,) int.
 
-    A plunge counts only if no cut in the plane follows the plunge, as in a drilled hole.
+    A plunge counts as a cut only if no cut in the XY plane follows the plunge, as in a drilled hole.
     """
     words = Words(program.commands)
     columns = {letter: words.column(letter) for letter in "XYZ"}
@@ -342,7 +342,7 @@ def _cuts(program: Program) -> np.ndarray:
 
 
 def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
-    """Return the height before the first move and after each move, mm, (n + 1,).
+    """Return the tool's height before the first move and after each move, (n + 1,) mm.
 
     The height is infinite before the first Z word. After a canned cycle, the height is the R plane, because the Z word
     of a cycle is the bottom of the hole.
@@ -366,7 +366,7 @@ def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
 
 
 def _held(all_codes: np.ndarray, group: tuple[int, ...]) -> np.ndarray:
-    """Return the last code of a group at each command, (n,) int; -1 before the first code of the group."""
+    """Return the last code of a group up to each command, (n,) int; -1 before the group's first code."""
     last = np.maximum.accumulate(np.where(np.isin(all_codes, group), np.arange(len(all_codes)), -1))
     held: np.ndarray = np.where(last >= 0, all_codes[last], -1)
     return held

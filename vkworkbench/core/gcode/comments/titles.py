@@ -6,18 +6,18 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-# A title, after the words that some post processors write before the title.
+# Words that some post processors write before a title, and the title.
 _TITLED = re.compile(
     r"(?:begin operation|operation start|start cutting path id|start generation of|path|toolpath(?: name)?|operation(?: name)?"
     r"|op(?:eration)? ?\d+(?: of \d+)?|block-name|name|type|no\.? ?\d+|nr\.? ?\d+)"
     r"\s*[:=]\s*(?:-\s+)?(?!g-code from|(?:block|header|footer|[GM]\d+)$)(\S.*)",
     re.IGNORECASE,
 )
-# A title before the tool, as Fusion's post processor for Marlin and SheetCam write comments.
+# A title and a tool in one comment, as written by Fusion's post processor for Marlin and by SheetCam.
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
 _STARTING = re.compile(r"starting (\S.*) op$")  # a title as Kiri:Moto writes it
-# Comments that are not titles: remarks of post processors on themselves, on the machine, on modes, or on moves within
-# an operation.
+# Comments that are not titles. In these comments, post processors describe themselves, the machine, modes, or moves
+# within an operation.
 _REMARK = re.compile(
     r"""
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)
@@ -57,7 +57,7 @@ _REMARK = re.compile(
 def title_of(comment: str) -> str:
     """Return the name of an operation in a comment; empty if the comment is a remark."""
     text = comment.strip(" *-=#;:\t")
-    if re.fullmatch(r"\([^()]*\)", text):  # parentheses after a semicolon
+    if re.fullmatch(r"\([^()]*\)", text):  # a comment such as ; (Pocket)
         text = text[1:-1].strip()
     if before := title_before_tool(text):
         return before

@@ -17,8 +17,8 @@ from functools import lru_cache
 from vkworkbench.core.gcode.moves.units import INCH
 from vkworkbench.core.tool import Tool
 
-# Largest diameter of a tool with a unit in the comment, and without a unit, mm. If the second limit is higher, 14 END
-# MILL becomes a tool of 14 inches (356 mm), and 265bit a tool of 265 mm.
+# Largest diameters of a tool, mm: with a unit in the comment, and without a unit. With a higher second limit, 14 END
+# MILL is read as a tool of 14 inches (356 mm), and 265bit as a tool of 265 mm.
 _LARGEST, _LARGEST_BARE = 500.0, 150.0
 
 _NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
@@ -27,7 +27,7 @@ _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
 _METRIC = ("mm", "мм", "m")  # M as in M8, a metric thread
 _MM = r"mm(?![a-z\d_])"  # Chinese words can follow without a space, as in 6mm立铣刀
 _UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
-# Tool words that need no space before them, in Chinese, Korean and Japanese.
+# Words for tools in Chinese, Korean and Japanese, which need no space before the word.
 _UNSPACED = "[铣钻镗铰]刀|[球角头平底]刀|钻头|中心钻|丝锥|엔드밀|볼밀|드릴|커터|리머|탭|챔퍼|페이스밀|공구|エンドミル|ドリル|タップ|リーマ|カッター|フライス|工具"
 _MILLING_WORD = (
     r"end ?mills?(?![a-z])|mill\b|em\b|face ?mills?(?![a-z])|slot ?(?:cutter|drill)|(?<!laser )(?<!plasma )cutter\b|flycutter\b|ball ?(?:nose|end)|bull ?(?:nose|end)|v[- ]?bit|"
@@ -35,7 +35,7 @@ _MILLING_WORD = (
     r"\w*fr(?:ä|ae|.)ser\b|bohrer|gravier\w*|freza|sverlo|fresa|broca|fraise|foret|frees|фреза|сверло|гравер|"
     + _UNSPACED
 )
-# A number of a tool after the word "tool". In other languages, the word must be at the beginning of the comment,
+# A tool's number after the word "tool". In other languages, the word must be at the beginning of the comment,
 # because "trajectoire d'outil 3" is a toolpath.
 _NUMBERED = re.compile(
     r"(?:\b(?:T|tool(?:\s*(?:no\.?|nr\.?|number))?)"
@@ -49,22 +49,21 @@ _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|지름|직경|直径|(?<![а-я])ф(?=\s*\d)|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
-# A number before "diameter". The end of a range is not the tool's diameter: SPOT DRILL .06 TO .125 DIA. is a drill for
-# holes within this range.
+# A number before "diameter". A number after TO is not the tool's diameter: SPOT DRILL .06 TO .125 DIA. is a drill for
+# holes of .06 to .125 inches.
 _BEFORE = re.compile(rf"(?<![\d.,/])(?<!\bto)(?<!\bto ){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
-# A length that is given as a decimal and as a fraction is the diameter, as in .375_3/8 X 90 DEG. SPOT DRILL.
+# A length in two forms, as a decimal and as a fraction, is the diameter, as in .375_3/8 X 90 DEG. SPOT DRILL.
 _DECIMAL = re.compile(r"(?<![\w.,/#-])(?P<size>\d*[.,]\d+)(?P<across>)(?P<unit>)(?= \d+/\d)")
 _RADIUS = re.compile(rf"\btool radius\s*[:=]\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _CUTVIEWER = re.compile(
     r"TOOL/(?P<kind>MILL|DRILL|CHAMFER)\s*,\s*(?P<size>[\d.]+)(?:\s*,\s*(?P<second>[\d.]+))?", re.IGNORECASE
 )
-# Diameter and length, as in 10 x 72. The x has spaces on both sides or on neither, because 2x 6mm is two pieces of 6
-# mm.
+# Diameter and length of a tool, as in 10 x 72 or 10x72. With a space on one side only, 2x 6mm means two tools of 6 mm.
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
 _WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(rf"{_WITH_UNIT}(?!\s*(?:l|loc|oal)\b)", re.IGNORECASE)
-# A measure after the tool word can also be a length, so words for other measures must not follow it.
+# A number with a unit after the tool word. If the word for another measure follows, the number is not the diameter.
 _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
@@ -75,35 +74,35 @@ _SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between
 _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
 # In a comment on cutter compensation, a D word is the number of an offset register.
 _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
-_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment on several sizes describes several tools
+_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment with this word describes several tools
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
-_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # between the words in toolDiam: 0.125
+_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # the place between the two words in toolDiam: 0.125
 _IN_BOTH = re.compile(
     r"(?<![\d.])(?P<mm>\d+(?:\.\d+)?\s*mm)\s*/\s*(?P<inches>\d*\.\d+)(?!\d|\s*mm)", re.IGNORECASE
 )  # a size in mm and in inches, as in 11mm / .433
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
-_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose that mentions a size in passing
+_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose in which a size does not describe a tool
 _KIND = r"(?:\s*(?:flat|square|long|stub|hss|key(?:way|seat)?|woodruff|t-slot|dovetail))*"  # 1.5 KEY CUTTER .0938
 _BARE = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?={_KIND}\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
-# A number directly before the tool word is the tool's diameter, even in a sentence with other numbers.
+# A number directly before the tool word is the tool's diameter, even if the comment contains other numbers.
 _ATTACHED = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>{_ACROSS}){_UNIT}(?:\s*(?:flat|square|stub|hss))*(?=\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,
 )
-# A decimal number or fraction after the tool word, as in DRILL 8.5. A whole number after the tool word is ambiguous;
-# after a pointed tool it is an angle.
+# A decimal number or fraction after the tool word, as in DRILL 8.5. A whole number after the tool word can
+# be another property; after the word for a pointed tool, it is an angle.
 _BEHIND = re.compile(
     rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})\s*(?P<size>{_FRACTION}|\d+[.,]\d*|[.,]\d+)(?P<unit>)$", re.IGNORECASE
 )
 # A number after a threading tool is the pitch of the thread.
 _THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
-# A diameter beside these words belongs to the part, not to the tool.
+# Beside these words, a diameter is a diameter of the part, not of the tool.
 _OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
-# Numbers that are not a diameter: of a drill in a table, of an operation, and the number of sizes.
+# Numbers that are not a diameter: the number of a drill in a table, the number of an operation, and a count of sizes.
 _OTHER_NUMBER = re.compile(
     r"(?:#|\b(?:no|nr|op|job)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
 )
@@ -116,16 +115,16 @@ _METRIC_THREAD = re.compile(
 _INCH_THREAD = re.compile(
     rf"(?<![\d.,/])(?P<size>{_FRACTION})(?=\s*-\s*\d+(?!.*(?:npt|bsp|pipe)).*\btap\b|\s*tap\b)", re.IGNORECASE
 )
-# In a comment on a tap drill, the size of the tap is not the diameter of the drill.
+# The comment on a tap drill contains the size of the tap, which is not the drill's diameter.
 _FOR_TAP = re.compile(r"(?<=drill)\b.*\bfor\b.*\btap\b.*", re.IGNORECASE)
-# A fraction after a tool's number is the diameter of the tool, as in T9 3/16 HARVEY EM, unless it belongs to a thread
+# A fraction after a tool's number is the tool's diameter, as in T9 3/16 HARVEY EM, except for the size of a thread
 # (1/4-20).
 _NEXT_TO_NUMBER = re.compile(rf"[\s:=-]*(?P<size>{_FRACTION})(?P<across>){_UNIT}(?!\s*-\s*\d)", re.IGNORECASE)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_UNSPACED}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
 _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
-# A common angle directly before a pointed tool is the tip angle, not a diameter of 90 mm.
+# A common tip angle directly before the word for a pointed tool is not a diameter, so 90 V-BIT is not 90 mm wide.
 _BARE_ANGLE = re.compile(
     r"(?<![\w.,/#-])(?P<size>60|82|90|100|118|120|1[34]\d)(?=\s+(?:spot|cent(?:er|re)[- ]?drill|chamfer|countersink|engrav|v[- ]?bit))",
     re.IGNORECASE,
@@ -148,7 +147,7 @@ class ToldTool:
     Attributes
     ----------
     number : int or None
-        The tool's number in the program; None if the comment contains no number.
+        The tool's number in T words; None if the comment contains no tool number.
     tool : Tool
     from_here : bool
         Whether all moves after the comment use this tool, as after comments for CutViewer. Other comments possibly only
@@ -169,7 +168,7 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
     comment : str
         Text of the comment, without its parentheses.
     inches : bool
-        Whether lengths without a unit are inches (G20). Fractions without a unit (1/4) are always inches.
+        Whether decimal lengths without a unit are in inches (G20). Fractions without a unit (1/4) are always in inches.
     of : int, optional
         Number of the new tool if the comment is in the line of a tool change. A diameter in such a comment belongs to
         the new tool even if the comment contains no word for a tool.
@@ -198,7 +197,7 @@ def number_named(comment: str) -> int | None:
 
 
 def _spaced(comment: str) -> str:
-    """Return a comment with spaces between its words, without the number of flutes.
+    """Return a comment with spaces between words and numbers, and without the number of flutes.
 
     If a size is given in mm and in inches, only the mm are kept.
     """
@@ -206,7 +205,7 @@ def _spaced(comment: str) -> str:
 
 
 def _in_mm(both: re.Match[str]) -> str:
-    """Return the mm of a size in mm and inches; return the text unchanged if the two numbers are different sizes."""
+    """Return the mm of a size in mm and inches; if the numbers are different sizes, return the unchanged text."""
     mm, from_inches = float(both["mm"][:-2]), float(both["inches"]) * INCH
     return both["mm"] if abs(from_inches - mm) < 0.02 * mm else both[0]
 
@@ -238,7 +237,7 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
         return _METRIC_THREAD.search(comment) or _INCH_THREAD.search(comment) or _NO_LENGTH.search(comment)
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
     size = _ATTACHED.search(comment) or min(found, key=re.Match.start, default=None)
-    if size is None or (number is None and _is_bare(size)):  # a whole number is possibly the tool's number
+    if size is None or (number is None and _is_bare(size)):  # a bare whole number can be the tool's number
         return _NO_LENGTH.search(comment) or _SHORT.search(comment) or size
     return size
 
@@ -270,14 +269,14 @@ def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
 
 
 def _is_bare(size: re.Match[str]) -> bool:
-    """Return whether a size is a whole number without a unit and without a second measure."""
+    """Return whether a size is a whole number without a unit and without the same size in another unit."""
     return size["size"].isdigit() and not size["unit"] and not size["across"]
 
 
 def tells_inches(comment: str) -> bool:
     """Return whether a comment gives a diameter as a plain number and as a fraction of an inch: DIA 0.5, 1/2 ENDMILL.
 
-    A comment with both forms of a size shows that the plain number and the program are in inches.
+    If a comment contains a size in both forms, the plain number is in inches, and so is the program.
     """
     if "/" not in comment or len(comment) > _LONGEST:
         return False

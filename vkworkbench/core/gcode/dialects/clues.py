@@ -10,7 +10,7 @@ _TURNING = frozenset([32])
 _TURNING_MODES = frozenset([7, 8, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
-_SLOWEST_MILLING = 2.0  # mm/min; a lower feed rate is probably a feed per turn
+_SLOWEST_MILLING = 2.0  # mm/min; a lower feed rate is probably a feed per turn (G99) of a lathe
 _EXTRUSIONS = 10  # largest number of moves whose E words count as typing errors; more are a sign of a 3D printer
 
 
@@ -41,7 +41,7 @@ class Clues:
         self._names_y = self._along_y = False
 
     def g_code(self, number: int, letters: set[str], line: int) -> bool:
-        """Note a G-code that indicates the machine; return whether its line is a cut on a lathe."""
+        """Note a G-code that indicates the machine; return whether the G-code's line is a cut on a lathe."""
         cycle = number in _TURNING_CYCLES and not letters.isdisjoint("PQUW") and "Y" not in letters
         mode = number in _TURNING_MODES and "P" not in letters  # on Fanuc controls, G08 P1 turns on look-ahead
         if self._turning is None and (number in _TURNING or cycle):
@@ -64,14 +64,14 @@ class Clues:
         self._changer |= value == 6
 
     def tool(self, number: int, line: int) -> None:
-        """Note a tool number; T0101 is tool 1 with offset 1 in the turret of a lathe."""
+        """Note a tool number. A number such as T0101 (tool 1 with offset 1) indicates the turret of a lathe."""
         if self._turret is None and 0 < number < 10_000 and number % 101 == 0:
             self._turret = f"T{number:04}", line
 
     def feed(self, codes: list[int], parameters: dict[str, float], mode: int, feed: float, line: int) -> None:
-        """Note the feed rate of a line: a lathe uses G99 for feed per turn, and G98 for feed per minute.
+        """Note a line's feed rate. Lathes use G99 for feed per turn, and G98 for feed per minute.
 
-        A feed rate below 2 mm/min is too slow for milling, and is probably a feed per turn.
+        A feed rate below `_SLOWEST_MILLING` is too slow for milling, and is probably a feed per turn.
 
         Parameters
         ----------
@@ -86,7 +86,7 @@ class Clues:
         line : int
             Line of the text, counted from 1.
         """
-        if mode in CYCLES:  # beside a canned cycle, G98 and G99 select the height after the cycle
+        if mode in CYCLES:  # in canned cycles of mills, G98 and G99 select the height after the cycle
             return
         if 980 in codes or 990 in codes:
             self._per_turn = line if 990 in codes else None
@@ -102,7 +102,7 @@ class Clues:
         return self._per_turn is not None
 
     def axes(self, parameters: dict[str, float], cuts: bool, line: int) -> None:
-        """Note the words of a line that moves other axes than X, Y and Z."""
+        """Note the words of a line for other axes than X, Y and Z."""
         for letter in "ABC":
             value = parameters.get(letter)
             if value is not None and value != self._turns.get(letter):
@@ -117,7 +117,7 @@ class Clues:
             self._wire.append(line)
 
     def arc(self, letters: set[str], line: int) -> None:
-        """Note an arc in X and Z without a previous G18, a sign of a lathe, on which XZ is the only plane."""
+        """Note an arc in X and Z without a previous G18: a sign of a lathe, whose only plane is XZ."""
         if self._plane is None and "Z" in letters and letters.isdisjoint("YJ"):
             if "K" in letters:
                 self._plane = "K", line
@@ -125,15 +125,15 @@ class Clues:
                 self._plane = "R", line
 
     def y(self, moves: bool) -> None:
-        """Note a Y word, and whether it moves the tool along Y.
+        """Note a Y word, and whether the Y word moves the tool.
 
-        A program for a lathe does not move the tool along Y, but a program for turning and milling can contain Y0.
+        A program for a lathe does not move the tool along Y, but can contain Y0 if the lathe can also mill.
         """
         self._names_y = True
         self._along_y |= moves
 
     def other_machine(self) -> Message | None:
-        """Return a message with the machine for which the program was written, and its sign; None for a mill."""
+        """Return a message with the program's machine and the word that indicates the machine; None for a mill."""
         heats = None if self._mills or self._changer else self._printer
         if heats or len(self._extrusions) > _EXTRUSIONS:
             name, line = heats or ("E", self._extrusions[0])

@@ -8,22 +8,22 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Dialect:
-    """Properties of a dialect: the same words can have different meanings in other dialects.
+    """The meanings of words that differ between dialects. The default values are those of RS274/NGC.
 
     Attributes
     ----------
     feed_time : float
-        The time in the unit of feed rates, s.
+        The time unit of feed rates, s: 60 for feed rates per minute.
     feeds_in_mm : frozenset of int
         G-codes, in tenths, that set the unit of lengths and do not change the unit of feed rates.
     codes : frozenset of int or None
-        The only G-codes, in tenths, that have their usual meaning; None if all G-codes have their usual meaning.
+        G-codes, in tenths, that have their usual meaning in this dialect; None if all G-codes have their usual meaning.
     data : frozenset of int
         G-codes, in tenths, whose words are data and do not move the tool.
     has_pole : bool
-        Whether I, J and K are the coordinates of a centre, which stays in force for all later arcs.
+        Whether I, J and K words are the coordinates of a centre, which is used for all later arcs.
     calls : bool
-        Whether M97 to M99 call subprograms and return from them.
+        Whether M97 and M98 call subprograms, and M99 returns from a subprogram.
     """
 
     feed_time: float = 60.0
@@ -34,7 +34,7 @@ class Dialect:
     calls: bool = True
 
 
-RS274 = Dialect()  # also Fanuc, Haas, Mach3, grbl and LinuxCNC
+RS274 = Dialect()  # LinuxCNC, and also Fanuc, Haas, Mach3 and grbl
 SIEMENS = Dialect(feeds_in_mm=frozenset([700, 710]))
 RAW_PATH = Dialect(feed_time=1.0)  # the text of a path from FreeCAD that no post processor wrote
 HEIDENHAIN = Dialect(  # DIN/ISO

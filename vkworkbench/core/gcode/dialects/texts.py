@@ -17,16 +17,17 @@ _SIEMENS = re.compile(
     r"=\s*(?:AC|IC|DC|ACP|ACN)\b|(?<![\w<])(?:MCALL|EXTCALL|WORKPIECE|SUPA|STOPRE)\b|\bT\s*=\s*\"|^\$PATH"
     r"|^(?:DEF\s+(?:REAL|INT|BOOL|STRING)|PROC|A?TRANS|A?ROT|A?MIRROR)\b"
 )
-# Siemens' words with an equals sign: corners, angles, polar coordinates, turns of a helix, and R parameters. Except for
-# R parameters, such a word must not be at the beginning of a line, where it can be a variable of an Okuma control.
+# Siemens' words with an equals sign, for corners, angles, polar coordinates, turns of a helix and R parameters. Only R
+# parameters are recognised at the beginning of a line, where other words can be variables of an Okuma control.
 _SIEMENS_WORD = re.compile(
     r"^[A-Z]\s*[-+]?[\d.].*[\d.\s](?:AR|AP|RP|RND|RNDM|CHF|CHR|TURN)\s*="
     r"|(?<![A-Z#<])[A-Z]\s*=\s*-?\s*R\d|^R\d+\s*="
 )
 _SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
-_VARIABLES = re.compile(r"#|IF|GOTO")  # lines for a Fanuc control or LinuxCNC; such lines can contain any name
-# Signs of a program for a Siemens control, in lines that are read as plain G-code.
+# Lines with these texts are for a Fanuc control or LinuxCNC, and can contain any name.
+_VARIABLES = re.compile(r"#|IF|GOTO")
+# Lines that occur only in programs for Siemens controls, and that can be read as plain G-code.
 _OF_SIEMENS = re.compile(
     r"^%_N_|\bG(?:5\d\d|45[01]|60[123]|64[1-5]|7[01]0)\b|\bMSG\s*\(|(?<![A-Z])(?:CR|[XYZIJK])\s*=\s*-?[.\d]",
     re.MULTILINE | re.IGNORECASE,
@@ -85,8 +86,8 @@ def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem,
     blocks : int
         Number of lines read that contain more than comments.
     strange : list of int
-        Lines with text that cannot be read as words; variables and jumps do not count. If more than half of the
-        `blocks` are strange, the text is not an NC program.
+        Numbers of the lines with text that cannot be read as words, except for variables and jumps. If there are more
+        such lines than half of `blocks`, the text is not an NC program.
     moves : bool
         Whether any line moves the tool.
     problems : tuple of Problem

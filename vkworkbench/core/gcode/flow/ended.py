@@ -21,8 +21,8 @@ class Ended(Exception):
 
 
 class Unknown(Ended):
-    """A value is unknown because it comes from the machine. The program ends only at a line that needs the value."""
+    """A value is unknown because it comes from the machine. Reading ends only at a line that needs the value."""
 
 
 class Unreadable(Exception):
-    """A line is not a macro statement, or contains an expression with an error."""
+    """A program line is not a macro statement, or contains an expression with an error."""

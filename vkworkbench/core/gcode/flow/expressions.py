@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert the expressions of a line into a postfix list, and calculate them.
+"""Convert the expressions of a program line into postfix lists, and calculate the values of these lists.
 
 The grammar is RS274/NGC's (Kramer, Proctor and Messina, NISTIR 6556, 2000), with the functions of Fanuc controls.
 """
@@ -15,21 +15,21 @@ from vkworkbench.core.gcode.flow.ended import Ended, Unreadable
 from vkworkbench.core.gcode.flow.variables import Variables
 from vkworkbench.language import Message
 
-# One step of a calculation: its kind, and its number, name or function.
+# The steps of a calculation, in order. Each step has a kind, and the number, name or function that the step uses.
 Postfix = Tuple[Tuple[int, Any], ...]
 _NUMBER, _NEGATE, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(9)
 
 _DIGITS = re.compile(r"(?:\d+\.?\d*|\.\d+)(?:E[-+]?\d+)?")
-_INDEX = re.compile(r"\d+\.?\d*")  # an exponent is not allowed, because the E in X#1 E5 is a word
+_INDEX = re.compile(r"\d+\.?\d*")  # without an exponent, because E5 in the line X#1 E5 is another word
 _NAME = re.compile(r"<([^<>]+)>")
 _FUNCTION = re.compile(r"([A-Z]+)\[")
 _OPERATOR = re.compile(r"\*\*|[-+*/]|MOD|AND|XOR|OR|EQ|NE|GT|GE|LT|LE")
-_DEEPEST = 40  # largest depth of brackets within brackets, and of variables that name variables
-_LARGEST = 1e300  # larger results show an error in the program
+_DEEPEST = 40  # largest depth of nested brackets, and of nested variables such as ###1
+_LARGEST = 1e300  # a result beyond this limit is an error in the program
 
 
 class Parser:
-    """Reader of the values in a line, from left to right.
+    """Reader of the values in a program line, from left to right.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ class Parser:
     Attributes
     ----------
     at : int
-        Index of the next character.
+        Index of the next character in `code`.
     """
 
     def __init__(self, code: str, *, fanuc: bool) -> None:
@@ -51,24 +51,24 @@ class Parser:
         self._depth = 0
 
     def peek(self) -> str:
-        """Return the next character; empty at the end of the line."""
+        """Return the next character; an empty text at the end of the line."""
         return self.code[self.at : self.at + 1]
 
     def take(self, text: str) -> bool:
-        """Skip a text if the line continues with the text; return whether it does."""
+        """Skip a text if the rest of the line begins with the text; return whether the text was skipped."""
         follows = self.code.startswith(text, self.at)
         self.at += len(text) if follows else 0
         return follows
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Skip a pattern if the line continues with the pattern; return the match."""
+        """Skip the text that matches a pattern at the current character; return the match, or None."""
         found = pattern.match(self.code, self.at)
         if found:
             self.at = found.end()
         return found
 
     def computed(self) -> bool:
-        """Return whether the line continues with a computed value: a variable, a bracket or a function."""
+        """Return whether the rest of the line begins with a variable, a bracket or a function."""
         at = self.at
         while self.code[at : at + 1] in ("+", "-"):
             at += 1
@@ -83,7 +83,7 @@ class Parser:
         Raises
         ------
         Unreadable
-            If the line does not continue with a value.
+            If the rest of the line does not begin with a value.
         """
         self._depth += 1
         if self._depth > _DEEPEST:
@@ -104,7 +104,7 @@ class Parser:
         return (*code, (_NEGATE, None)) if negative else code
 
     def variable(self) -> Postfix:
-        """Read the number or the name of a variable after its ``#``, and return the code that reads the variable."""
+        """Read the number or name of a variable after its ``#``; return the steps that read the variable's value."""
         name = self.match(_NAME)
         if name:
             return ((_NAMED, name[1]),)
@@ -114,7 +114,7 @@ class Parser:
         return (*self.value(), (_NUMBERED, None))
 
     def expression(self) -> Postfix:
-        """Read values with operators between them."""
+        """Read an expression: values with operators between the values."""
         operands, operators = [self.value()], []
         while operator := self.match(_OPERATOR):
             operators.append(operator[0])
@@ -135,7 +135,7 @@ class Parser:
         return code
 
     def _in_order(self, operands: list[Postfix], operators: list[str]) -> Postfix:
-        """Return the postfix list of an expression; operators of the same rank are calculated from left to right."""
+        """Return the postfix list of an expression; operators of equal precedence are calculated from left to right."""
         of_fanuc = self._fanuc and functions.COMPARISONS.isdisjoint(operators)
         rank = functions.RANK_OF_FANUC if of_fanuc else functions.RANK
         code = list(operands[0])
@@ -193,7 +193,7 @@ class Parser:
 
 
 def _finite(digits: str) -> float:
-    """Return the number that digits spell."""
+    """Return the number that a text of digits contains."""
     number = float(digits)
     if number >= _LARGEST:
         raise Unreadable
@@ -219,7 +219,7 @@ def evaluate(code: Postfix, variables: Variables) -> float | None:
         elif kind == _NAMED:
             stack.append(variables.named(what))
         elif kind == _NEGATE:
-            stack[-1] = None if stack[-1] is None else -stack[-1]  # an empty #1 leaves out X-#1, like X#1
+            stack[-1] = None if stack[-1] is None else -stack[-1]  # if #1 is empty, the word X-#1 is left out
         elif kind == _UNARY:
             stack[-1] = _result(what, stack[-1] or 0.0)
         elif kind == _BINARY:
@@ -231,7 +231,7 @@ def evaluate(code: Postfix, variables: Variables) -> float | None:
         elif kind == _EXISTS:
             stack.append(float(variables.exists(what)))
         else:
-            stack[-1] = 1.0  # a variable exists for every number
+            stack[-1] = 1.0  # EXISTS is true for every variable with a number
     result: float | None = stack[0]
     return result
 
@@ -241,6 +241,6 @@ def _result(function: Callable[..., float], *values: float) -> float:
         result = function(*values)
     except (ArithmeticError, ValueError):
         raise Ended(Message("no-result")) from None
-    if not -_LARGEST < result < _LARGEST:  # this condition is also true for NaN
+    if not -_LARGEST < result < _LARGEST:  # NaN also fails this comparison
         raise Ended(Message("no-result"))
     return result

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Perform the macro statements of a program, line by line."""
+"""Perform the macro statements of a program, one program line after the other."""
 
 from __future__ import annotations
 
@@ -17,23 +17,26 @@ from vkworkbench.core.gcode.flow.subprograms import Subprograms
 from vkworkbench.core.gcode.flow.variables import ALARM, Frame, Value, Variables
 from vkworkbench.language import Message
 
-MOST_LINES = 1_000_000  # largest number of lines that loops, jumps and calls read; a line counts at each run
-MOST_IDLE_LINES = 100_000  # largest number of successive lines without a command in loops, jumps and calls
+# Largest number of program lines read in loops, after jumps back and in calls; a line counts at each run.
+MOST_LINES = 1_000_000
+MOST_IDLE_LINES = 100_000  # largest number of successive lines in loops and calls that add no command
 MOST_STEPS = 20_000_000  # largest number of steps in all calculations, which limits the time for them
-DEEPEST = 10  # largest depth of calls within calls
-MOST_COMMANDS = 5_000_000  # largest number of commands after loops, jumps and calls; a toolpath has no more moves
+DEEPEST = 10  # largest depth of nested calls of subprograms
+# Largest number of commands of a program with loops, jumps or calls; a toolpath has at most this many moves.
+MOST_COMMANDS = 5_000_000
 
-_UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # a variable that gets a value in a line that cannot be read
-# A statement that decides which line follows, even if the statement has an error.
+_UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # an assignment to a variable, in a line that cannot be parsed
+# The beginning of a statement that decides which line follows. The rest of the statement can have an error.
 _JUMP = re.compile(
     r"(?:N\d+)?(?:(?:IF|WHILE)\[|GOTO[\d#\[]|O(?:\d+|<[^<>]*>)(?:(?:END)?(?:SUB|IF|WHILE|REPEAT)|CALL|ELSE|DO|RETURN|BREAK|CONTINUE))"
 )
-# Words that do not change the tool's path. `_DATA` are codes whose words are data: dwells and offsets.
+# `_HARMLESS` are letters of words that do not change the tool's path. `_DATA` matches codes whose words are data: the
+# time of a dwell, and offsets.
 _HARMLESS = frozenset("DEFHST")
 _NUMBER_ALONE = re.compile(r"(?:N[\d.]+)?")
 _DATA = re.compile(r"G0*(?:4|10)(?!\d)")
-# Names of the methods of Flow that perform the control statements. A table of bound methods would be a reference cycle,
-# which would keep the whole text in memory.
+# Names of the methods of Flow that perform control statements. Names are used because a table of bound methods would be
+# a reference cycle, which would keep the whole text in memory.
 _METHODS = {
     "IF": "_if", "ELSEIF": "_skip", "ELSE": "_skip", "ENDIF": "_go_on",
     "WHILE": "_while", "ENDWHILE": "_repeat_loop", "DO": "_go_on",
@@ -62,7 +65,7 @@ class Flow:
     followed : bool
         Whether a condition, loop, jump or call was followed.
     depth : int
-        Number of current calls.
+        Number of nested calls at the current line.
     passed : set of int
         Indices of the lines that define subprograms.
     """
@@ -77,7 +80,8 @@ class Flow:
         self._read = 0
         self._idle = 0
         self._commands = 0
-        self._jumps: dict[int, int] = {}  # by line: number of changes of variables at its last jump back
+        # For each line index: `Variables.changes` at the last jump back from this line.
+        self._jumps: dict[int, int] = {}
         self._steps = 0
 
     @cached_property
@@ -101,12 +105,13 @@ class Flow:
         Returns
         -------
         Step or None
-            None if the line contains no macro statement that can be read.
+            Effect of the statement on the lines that follow; None if the line contains no macro statement that can be
+            parsed.
 
         Raises
         ------
         Ended
-            If the program cannot be followed further.
+            If the lines that follow cannot be determined.
         """
         code = "".join(code.split())
         try:
@@ -125,19 +130,19 @@ class Flow:
         return step
 
     def _jump_back(self, index: int) -> None:
-        """Raise Ended if a loop is endless: no variable has changed since the last jump back from the same line."""
+        """Raise Ended if a loop is endless: no variable has changed since the last jump back from this line."""
         changes = self._variables.changes
         if self._jumps.get(index) == changes:
             raise Ended(Message("endless"))
         self._jumps[index] = changes
 
     def count_line(self, commands: int) -> None:
-        """Count a line that a loop, jump or call reads; raise Ended if there are too many such lines.
+        """Count a program line that is read in a loop, after a jump back or in a call; raise Ended at a limit.
 
         Parameters
         ----------
         commands : int
-            Number of the program's commands up to the line.
+            Number of commands from all program lines before this line.
         """
         self._read += 1
         self._idle = self._idle + 1 if commands == self._commands else 0
@@ -150,7 +155,7 @@ class Flow:
             raise Ended(Message("too-many-moves-run", count=MOST_COMMANDS))
 
     def begin_call(self, call: Call) -> None:
-        """Begin a call; raise Ended if the number of its runs or the depth of calls is too large."""
+        """Begin a call of a subprogram; raise Ended if the number of runs or the depth of nested calls is too large."""
         if self.depth == DEEPEST:
             raise Ended(Message("too-many-calls", count=DEEPEST))
         if call.times > MOST_LINES - self._read:
@@ -158,7 +163,7 @@ class Flow:
         self.depth += 1
 
     def end_call(self) -> None:
-        """End a call."""
+        """End a call of a subprogram, after the subprogram's last run."""
         self.depth -= 1
 
     def enter(self, frame: Frame | None) -> None:
@@ -173,7 +178,7 @@ class Flow:
             self._variables.frames.pop()
 
     def _forget(self, code: str) -> None:
-        """Mark the variables as unknown to which an unreadable line assigns values."""
+        """Mark each variable as unknown to which a line assigns a value, because the line cannot be parsed."""
         for number, name in _UNREAD.findall(code):
             unknown = Message("value-unread", name=f"#{number}" if number else f"#<{name.lower()}>")
             if name:
@@ -188,14 +193,14 @@ class Flow:
         return evaluate(code, self._variables)
 
     def _value_or_reason(self, code: Postfix) -> Value:
-        """Return a value, or the reason why the value is unknown."""
+        """Return the value of an expression, or the reason why the value is unknown."""
         try:
             return self._value(code)
         except Unknown as unknown:
             return unknown.why
 
     def _number(self, code: Postfix) -> int:
-        """Return a value as the nearest whole number; 0 for an empty variable."""
+        """Return the value of an expression as the nearest whole number; 0 for an empty variable."""
         return round(self._value(code) or 0.0)
 
     def _filled(self, line: Words) -> str:
@@ -245,14 +250,14 @@ class Flow:
                 self._variables.set_number(target, value)
 
     def _block(self, index: int) -> Block:
-        """Return the block of a line."""
+        """Return the loop, condition or subprogram that begins, continues or ends in a line."""
         block = self._structure.blocks.get(index)
         if block is None or not block.closed:
             raise Ended(Message("unclosed"))
         return block
 
     def _if(self, index: int, control: Control) -> Step:
-        """Go to the first branch whose condition is true."""
+        """Continue at the first branch of a condition (IF, ELSEIF, ELSE) that applies."""
         for mark in self._block(index).marks:
             if mark != index:
                 self.count_line(self._commands)
@@ -272,7 +277,7 @@ class Flow:
         return line
 
     def _skip(self, index: int, _control: Control) -> Step:
-        """Go to the line after a block: after a branch was read, a loop is left, or a subprogram is only defined."""
+        """Continue after the end of a block: at the end of a branch, at BREAK, or at the definition of a subprogram."""
         block = self._block(index)
         if block.kind == "SUB":
             self.passed.add(index)
@@ -342,8 +347,8 @@ class Flow:
     def _if_then(self, _index: int, control: Control) -> Step:
         """Perform an assignment with a condition.
 
-        A condition that depends on the machine does not end the program, but makes the assigned variables unknown. An
-        assignment that raises an alarm (#3000) is then ignored, because no line would follow the alarm.
+        If the condition depends on the machine, the assigned variables become unknown, and reading continues. An
+        assignment to #3000, which raises an alarm, is then ignored, because a control that raises the alarm stops.
         """
         then = control.then
         if then is None:

@@ -7,13 +7,13 @@ Angles are in degrees. The functions raise ArithmeticError or ValueError if a co
 from __future__ import annotations
 
 import math
-from typing import Any, Callable  # Python 3.8 evaluates these types, and its collections.abc has no such types
+from typing import Any, Callable  # evaluated at run time, for which Python 3.8 needs typing
 
 Unary = Callable[[float], float]
 Binary = Callable[[Any, Any], float]
 
-_EQUAL = 1e-4  # LinuxCNC: two numbers are equal if they differ by less than this
-_WHOLE_BITS = 1 << 53  # largest number whose bits are all exact in a float
+_EQUAL = 1e-4  # LinuxCNC: EQ is true if two numbers differ by less than this
+_WHOLE_BITS = 1 << 53  # larger whole numbers are not exact in a float
 
 LOGICAL = frozenset(["AND", "OR", "XOR"])
 COMPARISONS = frozenset(["EQ", "NE", "GT", "GE", "LT", "LE"])
@@ -101,5 +101,5 @@ BINARY_OF_FANUC: dict[str, Binary] = {
 }
 _RANKS = (("**",), ("*", "/", "MOD"), ("+", "-"), tuple(COMPARISONS), tuple(LOGICAL))
 RANK = {name: -rank for rank, names in enumerate(_RANKS) for name in names}
-# Fanuc's ranks of operators in a bracket without a comparison: AND has the rank of *, OR and XOR have the rank of +.
+# Fanuc's precedence of operators in a bracket without a comparison: AND has the precedence of *, OR and XOR of +.
 RANK_OF_FANUC = {**RANK, "AND": RANK["*"], "OR": RANK["+"], "XOR": RANK["+"]}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parse one line of a program: its control statement, its assignments, and its words with expressions."""
+"""Parse one line of a program: control statement, assignments, and words whose values are expressions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _NUMBER = re.compile(r"N\d+(?:\.\d+)?")
 _DIGITS = re.compile(r"(\d+)")
 _NAME = re.compile(r"<([^<>]*)>")
 _KEYWORD = re.compile("ENDSUB|SUB|CALL|RETURN|ELSEIF|ELSE|ENDIF|IF|ENDWHILE|WHILE|DO|ENDREPEAT|REPEAT|BREAK|CONTINUE")
-# The smallest and the largest number of values after the keyword of an O-word. Other keywords have no values.
+# For each keyword of an O-word with values: the smallest and the largest number of values after the keyword.
 _VALUES = {"IF": (1, 1), "ELSEIF": (1, 1), "WHILE": (0, 1), "REPEAT": (1, 1), "CALL": (0, _MOST_ARGUMENTS),
            "RETURN": (0, 1), "ENDSUB": (0, 1)}  # fmt: skip
 _LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ")
@@ -26,18 +26,20 @@ _LETTERS = frozenset("ABCDEFGHIJKLMNOPQRSTUVWXYZ")
 
 @dataclass(frozen=True)
 class Control:
-    """A statement that decides which line follows.
+    """A statement that decides which program line follows, such as IF or GOTO.
 
     Attributes
     ----------
     keyword : str
-        The keyword of an O-word; ``IF-GOTO``, ``IF-THEN``, ``GOTO``, ``DO-N`` or ``END-N`` for a statement of a Fanuc control.
+        Keyword of an O-word; for a statement of a Fanuc control, ``IF-GOTO``, ``IF-THEN``, ``GOTO``, ``DO-N`` or
+        ``END-N``.
     label : str or Postfix
-        Name or number of an O-word, or an expression for it; the number of Fanuc's DO and END.
+        Name or number of an O-word, or an expression for the number; for Fanuc's DO and END, the loop's number.
     values : tuple of Postfix
-        The condition, the number of runs, the arguments of a call, or the block of a jump after its condition.
+        The condition of IF and WHILE, the number of runs of REPEAT, the arguments of CALL, or the block number of GOTO.
+        In ``IF-GOTO``, the condition precedes the block number.
     then : Words or None
-        The words after THEN.
+        The words after THEN in ``IF-THEN``; None in other statements.
     """
 
     keyword: str
@@ -48,16 +50,17 @@ class Control:
 
 @dataclass(frozen=True)
 class Words:
-    """A line of words and assignments.
+    """A program line of words and assignments.
 
     Attributes
     ----------
     assigned : tuple of (Postfix, Postfix)
-        Pairs of a variable and its new value. The first element is the code that would read the variable.
+        For each assignment, the steps that would read the variable, and the steps that calculate the new value.
     pieces : tuple of (str, str, Postfix)
-        For each computed value: the text before its word, the letter of the word, and the value.
+        For each word with a computed value: the text before the word, the letter, and the steps that calculate the
+        value.
     rest : str
-        The text after the last computed value.
+        The text after the last word with a computed value.
     """
 
     assigned: tuple[tuple[Postfix, Postfix], ...]
@@ -72,7 +75,7 @@ def bare(line: str) -> str:
 
 
 def label_of(name: str) -> str:
-    """Return the name or number of an O-word as a name; leading zeros do not count."""
+    """Return the label of an O-word without leading zeros, so that O01 and O1 are equal."""
     return name.lstrip("0")
 
 
@@ -83,7 +86,7 @@ def parse_line(code: str, *, fanuc: bool) -> Control | Words:
     Raises
     ------
     Unreadable
-        If the line has no macro statement, variable or expression, or has an error.
+        If the line contains no macro statement, variable or expression, or if one of these contains an error.
     """
     if len(code) > _LONGEST or '"' in code:  # a text for the operator can contain a number sign
         raise Unreadable
@@ -117,7 +120,7 @@ def _control(code: str, *, fanuc: bool) -> Control | None:
 
 
 def _at_end(parser: Parser, control: Control) -> Control:
-    """Return the control statement of a line without further text."""
+    """Return the control statement of a line; raise Unreadable if other text follows the statement."""
     if parser.peek():
         raise Unreadable
     return control
@@ -166,7 +169,7 @@ def _if(parser: Parser) -> Control:
 def _words(parser: Parser) -> Words:
     assigned: list[tuple[Postfix, Postfix]] = []
     pieces: list[tuple[str, str, Postfix]] = []
-    code, begin = parser.code, parser.at  # the index of the first character after the last piece
+    code, begin = parser.code, parser.at  # `begin` is the index of the first character after the last piece
     while parser.peek():
         at, character = parser.at, parser.peek()
         if character == "#":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Define the effect of a macro statement on the lines that follow."""
+"""Define the effects of a macro statement: the words that remain, and the program line that follows."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ class Call(NamedTuple):
     Attributes
     ----------
     first, end : int
-        Indices of the subprogram's first line, and of the line after its last line.
+        Indices of the subprogram's first line, and of the line after the subprogram's last line.
     times : int
-        Number of runs.
+        Number of times that the subprogram runs.
     frame : Frame or None
         Local variables of the subprogram; None if the subprogram uses the variables of its caller.
     """
@@ -28,12 +28,12 @@ class Call(NamedTuple):
 
 
 class Step(NamedTuple):
-    """The effect of a macro statement.
+    """The effects of a macro statement in a program line.
 
     Attributes
     ----------
     code : str
-        The line with numbers in place of its variables and expressions; empty if no words are left.
+        The program line with numbers in place of variables and expressions; empty if no words are left.
     to : int or None
         Index of the line that follows; None for the next line.
     call : Call or None

@@ -24,7 +24,7 @@ _LOOPS = ("WHILE", "DO", "REPEAT")
 
 @dataclass
 class Block:
-    """A loop, a condition or a subprogram.
+    """A loop, a condition or a subprogram, from its first to its last program line.
 
     Attributes
     ----------
@@ -42,17 +42,17 @@ class Block:
 
     @property
     def first(self) -> int:
-        """Index of the first line."""
+        """Index of the block's first line."""
         return self.marks[0]
 
     @property
     def last(self) -> int:
-        """Index of the last line."""
+        """Index of the block's last line."""
         return self.marks[-1]
 
 
 class Structure:
-    """The blocks of a program.
+    """The loops, conditions and subprograms (blocks) of a program.
 
     Parameters
     ----------
@@ -64,17 +64,17 @@ class Structure:
     Attributes
     ----------
     blocks : dict of int to Block
-        Block for each line that begins, divides or ends a block, or leaves or continues a loop, by the line's index.
+        For the index of each line that begins, divides or ends a block, or that leaves or continues a loop: the block.
     subprograms : dict of str to Block
-        Subprograms by the names or numbers of their O-words.
+        Subprograms, by the labels of the O-words that define the subprograms.
     """
 
     def __init__(self, lines: Lines, heads: Collection[int]) -> None:
         self.blocks: dict[int, Block] = {}
         self.subprograms: dict[str, Block] = {}
         heads = frozenset(heads)
-        # Open blocks, by the subprogram and the name of the block. O-words with the same number in different
-        # subprograms are different blocks.
+        # Blocks without an end so far, by subprogram and label. O-words with the same label in different subprograms
+        # are different blocks.
         self._open: dict[tuple[str, str], list[Block]] = {}
         self._within = ""
         for index, line in enumerate(lines):
@@ -117,7 +117,7 @@ class Structure:
         self._add(index, key, ends=False)
 
     def _add(self, index: int, key: tuple[str, str], *, ends: bool) -> None:
-        """Add a line to the innermost open block of a name."""
+        """Add a line to the innermost block with the given key that has no end so far."""
         opened = self._open.get(key)
         if not opened:
             return

@@ -17,10 +17,10 @@ from vkworkbench.core.gcode.flow.lines import bare
 
 PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
-_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call the program with number P
-_CALL_LETTERS = frozenset("PpOo:")  # letters in lines with a call or with the number of a program
-# Signs of LinuxCNC and of Fanuc controls. In a program without signs of LinuxCNC, a program number (O1000) is also a
-# sign of a Fanuc control.
+_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call program P
+_CALL_LETTERS = frozenset("PpOo:")  # a line without these letters neither calls nor begins a program
+# Patterns that occur only in programs for LinuxCNC, and only in programs for Fanuc controls. If no pattern of LinuxCNC
+# occurs, a program number (O1000) is also a sign of a Fanuc control.
 _LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
 _FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
 _SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)
@@ -28,12 +28,12 @@ _TIMES = 10_000  # P31000 calls program 1000 three times, unless the text contai
 
 
 def calls_block(m_code: float, letters: Collection[str]) -> bool:
-    """Return whether an M-code, with the letters of the line's words, calls a block of its own program."""
+    """Return whether a line with an M-code and words with the given letters calls a block of the line's own program."""
     return m_code == 97 or (m_code == 98 and "Q" in letters and "P" not in letters)
 
 
 class Subprograms:
-    """The programs in a text.
+    """The programs and subprograms in a text, which can call each other.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class Subprograms:
     called : set of int
         Numbers of the programs that another program calls as a subprogram.
     heads : list of int
-        Indices of the lines with a program's number, ascending.
+        Indices of the lines in which a program begins (with the program's number), ascending.
     """
 
     def __init__(self, lines: Lines) -> None:
@@ -72,7 +72,7 @@ class Subprograms:
 
     @cached_property
     def fanuc(self) -> bool:
-        """bool : Whether the text is written for a Fanuc control."""
+        """bool : Whether the text is a program for a Fanuc control."""
         for line in self._lines:
             if _SIGNS.search(line):
                 code = bare(line)
@@ -83,7 +83,7 @@ class Subprograms:
         return bool(self.heads)
 
     def find(self, m_code: float, words: dict[str, float], caller: int) -> tuple[int, int] | None:
-        """Return the index of a subprogram's first line, and the number of runs; None if they are not in this text.
+        """Return the index of a subprogram's first line, and the number of runs; None for a subprogram in another text.
 
         Parameters
         ----------
@@ -97,7 +97,7 @@ class Subprograms:
         if "P" not in words and not calls_block(m_code, words.keys()):
             return None
         number, times, first = whole(words.get("P", 0.0), LARGEST_NUMBER), 1, None
-        if m_code == 98 and "Q" in words:  # Fanuc: run from block Q of program P; without P, of this program
+        if m_code == 98 and "Q" in words:  # Fanuc: run program P from block Q on; without a P word, run this program
             head = self._first.get(number) if "P" in words else self.head(caller)
             first = None if head is None else self._first_block(head, words["Q"])
         elif m_code == 97:
@@ -106,7 +106,7 @@ class Subprograms:
             if number not in self._first:
                 times, number = divmod(number, _TIMES)
             first = self._first.get(number)
-        if first is None or (m_code == 98 and first == self.head(caller)):  # the program would call itself endlessly
+        if first is None or (m_code == 98 and first == self.head(caller)):  # a program that calls itself never ends
             return None
         return first, whole(words.get("L", times), LARGEST_NUMBER)
 
@@ -115,16 +115,16 @@ class Subprograms:
         return self._first.get(whole(number, LARGEST_NUMBER))
 
     def block(self, number: int, index: int) -> int | None:
-        """Return the index of the block to which a line jumps; None if no block has this number.
+        """Return the index of the line with a block number, for a jump from the line `index`; None without such a line.
 
-        The control searches the current program from the line to the end, and then from the beginning.
+        The control searches from the line `index` to the end of the program, and then from the program's beginning.
         """
         found = self._blocks.get((self.head(index), number), [])
         after = bisect_right(found, index)
         return found[after % len(found)] if found else None
 
     def end(self, first: int) -> int:
-        """Return the index of the line with the next program's number, or the number of lines if no program follows.
+        """Return the index of the line in which the next program begins, or the number of lines if no program follows.
 
         The subprogram ends before this line, or earlier at an M99.
         """
@@ -132,7 +132,7 @@ class Subprograms:
         return self.heads[after] if after < len(self.heads) else len(self._lines)
 
     def head(self, index: int) -> int:
-        """Return the index of the line with the number of the program that contains a line; -1 without such a line."""
+        """Return the index of the line in which the program of a given line begins; -1 if no such line exists."""
         before = bisect_right(self.heads, index)
         return self.heads[before - 1] if before else -1
 
@@ -142,7 +142,7 @@ class Subprograms:
 
     @cached_property
     def _blocks(self) -> dict[tuple[int, int], list[int]]:
-        """Indices of the lines with a block number (N), for each pair of a program's head and a block number."""
+        """Indices of the lines with a block number (N), by the index of their program's first line and the number."""
         blocks: dict[tuple[int, int], list[int]] = {}
         for index, line in enumerate(self._lines):
             number = _BLOCK.match(line)

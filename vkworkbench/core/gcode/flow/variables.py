@@ -10,12 +10,12 @@ from typing import Any, Union
 from vkworkbench.core.gcode.flow.ended import Ended, Unknown
 from vkworkbench.language import Message
 
-# The value of a variable: a number, None for an empty variable of a Fanuc control, or the reason why the value is
-# unknown.
+# The value of a variable is a number, or None for an empty variable of a Fanuc control. If the value is unknown, a
+# Message with the reason is stored instead.
 Value = Union[float, None, Message]
 
 ALARM = 3000  # Fanuc: an assignment to this variable raises an alarm
-_LARGEST_NUMBER = 99_999  # largest number of a variable, which limits the memory for variables
+_LARGEST_NUMBER = 99_999  # variables with larger numbers do not exist, which limits the memory for variables
 _WHOLE = 1e-4  # LinuxCNC: largest difference between a variable's number and a whole number
 _RESULTS = frozenset(["_VALUE", "_VALUE_RETURNED"])  # LinuxCNC: the result of a subprogram
 # LinuxCNC's variables for the state of the machine.
@@ -29,7 +29,8 @@ _OF_MACHINE = frozenset([
     "_ABS_V", "_ABS_W", "_CURRENT_TOOL", "_CURRENT_POCKET", "_SELECTED_TOOL", "_SELECTED_POCKET", "_TASK",
     "_CALL_LEVEL", "_REMAP_LEVEL",
 ])  # fmt: skip
-# The variables with the tool's coordinates, as far as the program contains them.
+# The axes of variables that contain the tool's coordinates. Such a variable is known if the program determines the
+# coordinate.
 _PLACE = {5420: "X", 5421: "Y", 5422: "Z"}
 _PLACE_OF_FANUC = {5001: "X", 5002: "Y", 5003: "Z", 5041: "X", 5042: "Y", 5043: "Z"}
 _FIRST_OF_MACHINE, _LAST_OF_MACHINE = 5000, 5999  # LinuxCNC: positions, offsets, the tool table, results of probing
@@ -39,7 +40,7 @@ _KEPT_FROM, _KEPT_TO = 500, 999  # Fanuc: variables that keep their values when 
 
 @dataclass
 class Frame:
-    """The local variables of a program or subprogram.
+    """The local variables in one run of a program or subprogram.
 
     Attributes
     ----------
@@ -48,7 +49,7 @@ class Frame:
     names : dict
         The values of #<name> by their names.
     left : dict of int to int
-        Number of further runs of each current REPEAT loop, by the index of the loop's first line.
+        Remaining number of runs of each REPEAT loop that is not finished, by the index of the loop's first line.
     """
 
     numbers: dict[int, Value] = field(default_factory=dict)
@@ -57,13 +58,13 @@ class Frame:
 
 
 class Variables:
-    """The variables of a program, at the current line.
+    """The variables of a program, with their values before the current line.
 
     Parameters
     ----------
     fanuc : bool
-        Whether the program is written for a Fanuc control. A variable without a value is empty on a Fanuc control, and
-        0 in LinuxCNC.
+        Whether the program is for a Fanuc control, on which a variable without a value is empty. In LinuxCNC, a
+        variable without a value is 0.
     report : callable
         Reports a message on the current line.
     place : callable
@@ -72,7 +73,7 @@ class Variables:
     Attributes
     ----------
     frames : list of Frame
-        The local variables of the program and of the current subprograms.
+        The local variables of the main program and of the called subprograms, innermost call last.
     changes : int
         Counter that grows with each change of a variable or of a REPEAT loop's remaining runs, and with each run of a
         subprogram.
@@ -101,7 +102,7 @@ class Variables:
             return _known(values[index])
         if self._fanuc and (index >= _FIRST_OF_FANUC or _KEPT_FROM <= index <= _KEPT_TO):
             raise Unknown(Message("value-of-machine", name=f"#{index}"))
-        if values is not self.frames[-1].numbers or len(self.frames) == 1:  # in a subprogram, an argument may be absent
+        if values is not self.frames[-1].numbers or len(self.frames) == 1:  # in a subprogram, an argument can be absent
             self._report(Message("variable-unset"))
         return None if self._fanuc else 0.0
 
@@ -117,11 +118,11 @@ class Variables:
         raise Ended(Message("name-unset", name=f"#<{name.lower()}>"))
 
     def _coordinate(self, letter: str, name: str) -> float:
-        """Return the tool's coordinate along an axis; other values of the machine are unknown."""
+        """Return the tool's coordinate along an axis; raise Unknown if the program does not determine it."""
         place = self._place()
         if letter not in place:
             raise Unknown(Message("value-of-machine", name=name))
-        self.changes += 1  # a loop that waits for a position is not endless
+        self.changes += 1  # a loop that waits for a position must not count as an endless loop
         return place[letter]
 
     def exists(self, name: str) -> bool:
@@ -147,7 +148,7 @@ class Variables:
         values[key] = value
 
     def _index(self, number: float | None) -> int:
-        """Return the number of a variable as a whole number; only a Fanuc control has #0, which is always empty."""
+        """Return the number of a variable as a whole number. Fanuc controls also have #0, which is always empty."""
         number = number or 0.0
         index = round(number)
         if not (0 if self._fanuc else 1) <= index <= _LARGEST_NUMBER or abs(number - index) > _WHOLE:
@@ -161,7 +162,7 @@ class Variables:
         return self._names if name[0] == "_" else self.frames[-1].names
 
     def _from_machine(self, index: int) -> bool:
-        """Return whether a value comes from the machine even if the program assigns a number."""
+        """Return whether a variable's value comes from the machine, even after the program assigns a value."""
         first = _FIRST_OF_FANUC if self._fanuc else _FIRST_OF_MACHINE
         return first <= index <= _LAST_OF_MACHINE
 

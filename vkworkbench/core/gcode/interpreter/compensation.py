@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Follow cutter compensation (G41, G42) along lines and arcs in the XY plane, as LinuxCNC does.
+"""Compute the tool's path under cutter compensation (G41, G42), for lines and arcs in the XY plane, as in LinuxCNC.
 
-The first move ends beside its programmed end. Then the tool follows offset curves at the distance of its radius. At an
-outer corner, an arc joins two offset curves. At an inner corner, the tool leaves the first offset curve at the
-intersection with the second. The end of a move is therefore known only at the next move, which changes the previous
-command.
+The first compensated move ends beside the programmed end. Then the tool follows offset curves: the distance from the
+programmed path is the tool's radius. At an outer corner, an arc joins two offset curves. At an inner corner, the tool
+leaves the first offset curve at the intersection with the second offset curve. The end of a move is therefore known
+only when the next move is read, which changes the command of the first move.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from vkworkbench.language import Message
 
 _SAME = 1e-6  # mm, largest distance between equal points
 _LEFT = (410, 411)
-_STRAIGHT_ON = 0.05  # rad; as in LinuxCNC, no arc is added at a corner with a smaller turn
+_STRAIGHT_ON = 0.05  # rad; at a corner with a smaller turn, LinuxCNC adds no arc
 
 
 class _Target(NamedTuple):
-    """A programmed move: its end, and the centre of an arc, mm."""
+    """The end of a programmed move, mm, and the centre of an arc, mm; None for a line."""
 
     end: complex
     centre: complex | None
@@ -59,7 +59,7 @@ def _end(machine: Machine, line: Line) -> None:
 
 
 def follow(machine: Machine, mode: int, move: dict[str, float]) -> None:
-    """Add the commands of a line or an arc under compensation.
+    """Add the commands of a straight move or an arc under compensation.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def follow(machine: Machine, mode: int, move: dict[str, float]) -> None:
 
 
 def stop(machine: Machine) -> None:
-    """End the compensation at a move that cannot be followed, for example a hole."""
+    """End the compensation before a move that cannot be compensated, for example a drilled hole."""
     compensation, machine.compensation = machine.compensation, None
     if compensation is not None and not compensation.ends:
         machine.problem(Message("compensation-not-read", name=compensation.name))
@@ -149,7 +149,7 @@ def _beside(compensation: Compensation, mode: int, begin: complex, target: _Targ
 def _join(
     machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve, corner: complex
 ) -> bool:
-    """Join a curve to the previous curve at a programmed corner; return whether the tool fits into the corner."""
+    """Join an offset curve to the previous offset curve at a programmed corner; return whether this is possible."""
     last, side = compensation.last, compensation.side
     if last is None:
         return True
@@ -159,7 +159,7 @@ def _join(
         curve.start = last.end
         return True
     if abs(turn) > pi - _STRAIGHT_ON and not (last.centre is None and curve.centre is None):
-        return False  # LinuxCNC follows some of these cusps as outer corners, and others as inner corners
+        return False  # a reversal into or out of an arc, which LinuxCNC treats in two ways
     if turn < 0 or turn > pi - _STRAIGHT_ON:
         around = codes.CLOCKWISE if side > 0 else codes.COUNTER_CLOCKWISE
         if mode == codes.RAPID:
@@ -177,13 +177,13 @@ def _join(
 
 
 def _move_end(machine: Machine, compensation: Compensation, point: complex) -> None:
-    """Change the end of the previous command."""
+    """Change the end of the command for the last offset curve."""
     machine.move_end(compensation.command, point, point - compensation.tool, relative=compensation.relative)
     compensation.tool = point
 
 
 def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve) -> None:
-    """Add the command of an offset curve that begins at the tool, with the other words of its move."""
+    """Add the command of an offset curve that begins at the tool's position. `move` contains the words to add."""
     start, end = compensation.tool, curve.end
     compensation.relative = machine.modes.relative
     target = end - start if compensation.relative else end
@@ -197,7 +197,7 @@ def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[s
 
 
 def _leave(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], begin: complex) -> None:
-    """Add a programmed move after the end of the compensation. Before an arc, the tool moves to the programmed path."""
+    """Add the first move after the compensation. Before an arc, also add a move to the programmed path."""
     if mode in codes.ARCS:
         _write(machine, compensation, codes.FEED, {}, Curve(compensation.tool, begin))
         machine.write(mode, move)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Round or chamfer the corner between two straight moves in the XY plane (Fanuc's words ``,R`` and ``,C``).
 
-The corner word is in the line of the first move. The second move is known only in a later line, and then shortens the
-first move. Until then, and if the corner cannot be cut, the corner word is reported as not read.
+The corner word is in the line of the first move. The second move is in a later line. When the second move is read, the
+command of the first move is shortened. A corner word is reported as not read, unless its corner is cut.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def write(machine: Machine, mode: int, words: dict[str, float], move: dict[str, 
 
 
 def _cut(machine: Machine, corner: Corner, move: dict[str, float]) -> None:
-    """Cut a corner before a move. Relative words of the move are changed, because it begins at the end of the cut."""
+    """Cut a corner before a move. Relative words are changed, because the move then begins at the end of the cut."""
     relative, here = machine.modes.relative, machine.place.now()
     rest = dict.fromkeys("XYZ", 0.0) if relative else here
     if not {"X", "Y"} <= here.keys() or move.get("Z") not in (None, rest.get("Z")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert the words of canned cycles, which differ between dialects, to the words that `linearize` reads."""
+"""Convert the words of canned cycles from the form of each dialect to the form that `linearize` reads."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _FINE_BORING = 760
 
 
 def _fine_boring(machine: Machine, line: Line) -> None:
-    """Process G76, which is read as G86. On a lathe, G76 is a threading cycle with other words."""
+    """Process G76: fine boring, which is read as G86. The threading cycle G76 of lathes has other words."""
     if "R" in line.letters and ("Y" in line.letters or "P" not in line.letters):
         line.motion = codes.BORING
     else:
@@ -22,14 +22,14 @@ def _fine_boring(machine: Machine, line: Line) -> None:
 
 
 def leave_holes(machine: Machine, mode: int) -> None:
-    """Select the return of Fanuc controls for a cycle that leaves its hole at feed; LinuxCNC feeds up to the start."""
+    """Before a cycle that leaves its hole at feed, select Fanuc's return: at feed to R, then at rapid to the start."""
     if mode in codes.FEED_OUT and machine.modes.retract == codes.TO_START and machine.is_fanuc():
         machine.modes.retract = codes.RAPID_TO_START
         machine.add(codes.name_of(codes.RAPID_TO_START), {})
 
 
 def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
-    """Return the number of repeats of a canned cycle, and convert `move` to the words that `linearize` reads."""
+    """Return the number of repeats of a canned cycle, and change `move` to the words that `linearize` reads."""
     move.pop("K", None)
     pecks = [letter for letter in "IJK" if letter in parameters]
     letter = "L" if "L" in parameters else "K"

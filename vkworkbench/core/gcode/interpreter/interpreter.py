@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert the words of an NC program into commands, in mm and mm/s.
 
-The commands still contain the modal state that `linearize` resolves: planes, G90/G91, the centres of arcs, and canned
-cycles. This package resolves units, feed rates and the order of words. Each module contains a table of handlers for the
-G-codes of one subject.
+This package resolves units, feed rates and the order of words in a line. The commands still contain planes, G90 and
+G91, the centres of arcs, and canned cycles, which `linearize` resolves. Each module contains a table of handlers for
+the G-codes of one subject.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
-# Words that controls process before the other codes of a line, wherever they are: units, modes, planes and work offsets.
+# Words that controls process before the other words of a line: units, modes, planes and work offsets.
 _FIRST = frozenset(("G", code / 10) for code in codes.UNITS | codes.KEPT | codes.OFFSETS)
 _HANDLERS: dict[int, Handler] = {
     **units.HANDLERS, **offsets.HANDLERS, **compensation.HANDLERS, **cycles.HANDLERS, **mapping.HANDLERS, **single_moves.HANDLERS,
@@ -40,7 +40,7 @@ class Interpreter(Machine):
 
     @property
     def moves(self) -> bool:
-        """Whether any command moves the tool."""
+        """Whether any command of the lines read so far moves the tool."""
         return any(
             (not name or name in codes.MOTION_NAMES) and not AXES.isdisjoint(words) for name, words in self.commands
         )
@@ -50,7 +50,7 @@ class Interpreter(Machine):
         return tools.with_changes(self)
 
     def block(self, number: int, words: list[tuple[str, float]], letters: set[str], *, deleted: bool) -> bool:
-        """Read the words of one line.
+        """Process the words of one program line.
 
         Parameters
         ----------
@@ -89,7 +89,7 @@ class Interpreter(Machine):
         """
         parameters, letters = line.parameters, line.letters
         returns = change = False
-        taken: frozenset[str] = frozenset()  # letters of words that belong to an M-code
+        taken: frozenset[str] = frozenset()  # letters of the words that are parameters of an M-code
         for letter, value in sorted(line.words, key=lambda word: word not in _FIRST):
             if letter == "G":
                 self._g_code(whole(10 * value, 10 * _MOST_CODES), line)
@@ -116,7 +116,7 @@ class Interpreter(Machine):
         self.clues.feed(line.codes, line.parameters, mode, feed, self.number)
 
     def enter_call(self) -> None:
-        """Begin a subprogram, which can save and restore a modal state of its own (M70 to M73)."""
+        """Begin a subprogram. Each subprogram can save and restore its own modal state (M70 to M73)."""
         self.saved.append((None, False))
 
     def leave_call(self) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Process M-codes: stops, calls, returns, and the saved modal state."""
+"""Process M-codes: stops, calls, returns, and codes that save and restore the modal state."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def restore(machine: Machine, saved: Modes | None) -> None:
 def words_of(m_code: float, letters: set[str], *, first: bool) -> frozenset[str]:
     """Return the letters of the words that are parameters of an M-code, not of a move or a feed rate.
 
-    Marlin's settings and M-codes of vendors have parameters only if no G-code and no parameter precedes the M-code in
-    the line (`first`). For example, in G1 X5 M203, X5 is the target of the move.
+    An M-code for a setting of Marlin, or an M-code of a vendor, has parameters only if no G-code and no parameter
+    precedes the M-code in the line (`first`). For example, in G1 X5 M203, X5 is the target of the move.
     """
     if m_code in _OUTPUTS:
         return frozenset("EQ")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Handle the G-codes that mirror, scale and rotate coordinates, and map the words of moves."""
+"""Handle the G-codes that mirror, scale and rotate coordinates, and apply these maps to the words of moves."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from vkworkbench.core.gcode.interpreter.state.maps import mapped, rotation
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_LEAST_PERCENTAGE = 100.0  # a scale is in thousandths if it is a whole number of at least this size
+_LEAST_PERCENTAGE = 100.0  # a scale is in thousandths if it is a whole number and at least this large
 
 
 def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
-    """Map the words of a move in place.
+    """Apply the maps in force to the words of a move.
 
     Parameters
     ----------
@@ -21,7 +21,7 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
     mode : int
         The motion, in tenths of its G-code.
     move : dict
-        The words in the coordinates of the toolpath without the maps in force, mm. The words are changed.
+        The words of the move before the maps are applied, mm. `move` is changed.
     """
     xy, relative = machine.map(), machine.modes.relative
     in_plane = xy.flips or xy.factor.imag or xy.factor.real != machine.maps.height[0]
@@ -50,14 +50,14 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
 
 
 def turned(machine: Machine, mode: int) -> int:
-    """Return the motion after mapping: a mirror changes the direction of arcs."""
+    """Return the motion after the maps are applied: a mirror changes the direction of arcs."""
     if mode in codes.ARCS and machine.maps.mirrors and machine.map().flips:
         return codes.CLOCKWISE if mode == codes.COUNTER_CLOCKWISE else codes.COUNTER_CLOCKWISE
     return mode
 
 
 def _map_point(machine: Machine, move: dict[str, float]) -> None:
-    """Map the X and Y words of an absolute target. If a word is absent, the tool's own coordinate is used."""
+    """Map the X and Y words of an absolute target. The tool's coordinate replaces an absent word."""
     xy, here = machine.map(), machine.here()
     if xy.factor.imag and not {"X", "Y"} <= {*move, *here}:
         machine.problem(Message("coordinates-not-changed", name=_name(machine)))
@@ -76,7 +76,7 @@ def _name(machine: Machine) -> str:
 
 
 def _centre(machine: Machine, line: Line) -> dict[str, float]:
-    """Return the fixed point from a line's words, mm. An absent word is the tool's coordinate, or 0 if unknown."""
+    """Return a map's fixed point from a line's words, mm; for an absent word, the tool's coordinate."""
     unit = machine.modes.unit
     return {**{letter: unit * value for letter, value in machine.coordinates().items()}, **line.lengths(unit)}
 
@@ -97,7 +97,7 @@ def _end_rotation(machine: Machine, _line: Line) -> None:
 
 
 def _scale(machine: Machine, line: Line) -> None:
-    """Process G51 with one scale for all axes, given by a P word or by equal I, J and K words."""
+    """Process G51 with the same scale for all axes, either a P word or equal I, J and K words."""
     line.apart = True
     words = dict(line.words)
     scales = {words[letter] for letter in "PIJK" if letter in words}
@@ -120,7 +120,7 @@ def _end_scale(machine: Machine, line: Line) -> None:
 
 
 def _mirror(machine: Machine, line: Line) -> None:
-    """Process G51.1 along X and Y."""
+    """Process G51.1, which mirrors along X, along Y, or along both axes."""
     line.apart = True
     if "Z" in line.letters or machine.modes.relative or line.letters.isdisjoint("XY"):
         machine.leave_out(line, Message("coordinates-not-changed", name="G51.1"))
@@ -129,7 +129,7 @@ def _mirror(machine: Machine, line: Line) -> None:
 
 
 def _end_mirror(machine: Machine, line: Line) -> None:
-    """Process G50.1, which ends the mirror along the axes in its line; without axes, along X and Y."""
+    """Process G50.1, which ends the mirror along the axes in its line; in a line without axes, along X and Y."""
     line.apart = True
     for letter in set("XY") & line.letters or set("XY"):
         machine.maps.mirrors.pop(letter, None)

@@ -18,7 +18,7 @@ AXES = frozenset("XYZIJKR")
 
 
 def move_of(machine: Machine, line: Line) -> None:
-    """Add the command of a line's motion, or of its feed rate alone."""
+    """Add the command for a program line: a move, or only a motion or feed rate for later lines."""
     motion, apart, parameters = line.motion, line.apart, line.parameters
     if motion is None and machine.motion == codes.CANCEL:  # after G80, machines move at rapid
         motion = codes.RAPID if not AXES.isdisjoint(parameters) and not apart and line.once is None else None
@@ -31,7 +31,7 @@ def move_of(machine: Machine, line: Line) -> None:
     if feed is not None:
         move["F"] = feed
     if apart or AXES.isdisjoint(move):
-        # The command needs a name, because a command without a name would repeat a canned cycle.
+        # The command must have a name: without a name, a command would repeat the canned cycle in force.
         if motion is not None or feed is not None:
             machine.add("G94" if motion is None else codes.name_of(motion), {} if feed is None else {"F": feed})
             machine.written = machine.written if motion is None else motion
@@ -48,7 +48,7 @@ def move_of(machine: Machine, line: Line) -> None:
 
 
 def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, float]) -> None:
-    """Add the command of a line that contains axis words."""
+    """Add the commands of a line with axis words for the motion in force."""
     mode = machine.motion
     _note(machine, mode, parameters, move)
     repeats = 1
@@ -76,12 +76,12 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
     for _ in range(repeats):
         corners.write(machine, motion, parameters, move)
         if repeats > 1 and machine.modes.relative and is_polar(parameters):
-            # Each step in a series of moves by a polar angle has another direction.
+            # If a relative move by a polar angle is repeated, each repeat has another direction.
             move.update(polar_step(machine, parameters))
 
 
 def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> None:
-    """Note signs of the machine type in a move, and report a tool length offset without a new height."""
+    """Note signs of the machine in a move. Report a move without a Z word after a change of the tool length offset."""
     if "Y" in move:
         _note_y(machine, move["Y"])
     if mode in codes.ARCS:
@@ -115,7 +115,7 @@ def _begin_move(machine: Machine) -> None:
 
 
 def _feed(machine: Machine, line: Line) -> float | None:
-    """Return the feed rate of a line's F word, mm/s; None without an F word and under G93.
+    """Return the feed rate in a line's F word, mm/s; None without an F word, and None under G93.
 
     Under G93, an F word sets `machine.seconds`, the duration of the line's move.
     """

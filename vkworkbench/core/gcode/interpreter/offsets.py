@@ -9,11 +9,12 @@ from vkworkbench.core.gcode.interpreter.state.origins import NUMBERED
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_RADII = (1.0, 12.0)  # L words of G10 that set the radius of a tool: LinuxCNC's tool table, Fanuc's geometry offset
+# L words of G10 that set a tool's radius: in LinuxCNC's tool table (L1), and in Fanuc's geometry offsets (L12).
+_RADII = (1.0, 12.0)
 
 
 def select(machine: Machine, offset: tuple[int, float]) -> None:
-    """Select a work offset; report the work offset if the program does not contain its origin."""
+    """Select a work offset; report the work offset if the program does not contain the offset's origin."""
     if offset == machine.modes.offset:
         return
     machine.modes.offset = offset
@@ -36,7 +37,7 @@ def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int
 
 
 def _work_offset(machine: Machine, line: Line) -> None:
-    # In a line with G43, the H word is the number of a tool length offset.
+    # In a line with G43, the H word is the number of a tool length offset, not of a work offset.
     if line.code == codes.OKUMA_OFFSET and "H" in line.letters and ("G", 43.0) not in line.words:
         machine.okuma = True
     offset = _offset(line.code, line.words, machine.okuma)
@@ -49,7 +50,7 @@ def _shift(machine: Machine, line: Line) -> None:
     values = line.lengths(machine.modes.unit)
     line.apart |= line.code in (codes.LOCAL, codes.POSITION)
     if machine.maps.fixes_origin or (values and not line.apart and machine.is_fanuc()):
-        _coordinates(machine, line)  # on Fanuc controls, the axis words of G92.1 choose the axes
+        _coordinates(machine, line)  # on Fanuc controls, G92.1 resets only the axes in its line
     elif line.code == codes.LOCAL:
         machine.origins.shift_by(values)
         if not values:
@@ -65,8 +66,8 @@ def _shift(machine: Machine, line: Line) -> None:
 def _name_place(machine: Machine, values: dict[str, float]) -> None:
     """Shift the coordinates so that the tool's position has the coordinates `values` (G92).
 
-    An axis is shifted only if the tool's position along the axis is known. The position is unknown before the first
-    move along the axis, and after a move to a position that is not in the program.
+    The coordinates along an axis are shifted only if the tool's position along the axis is known. The position is
+    unknown before the first move along the axis, and after a move to a position that is not in the program.
     """
     place = machine.here()
     if not machine.place.lost.isdisjoint(values):
@@ -102,7 +103,7 @@ def _data(machine: Machine, line: Line) -> None:
 
 
 def _numbered(machine: Machine, number: float, kind: float) -> tuple[int, float] | None:
-    """Return the work offset that the P and L words of G10 name; None if only the control knows what they change.
+    """Return the work offset that G10 changes, from its P and L words; None if only the control can determine it.
 
     On Fanuc controls, P0 is an additional offset, L20 sets the work offsets of G54.1, and under G91 values are added.
     """
@@ -112,10 +113,10 @@ def _numbered(machine: Machine, number: float, kind: float) -> tuple[int, float]
 
 
 def _machine_position(machine: Machine, line: Line) -> None:
-    """Process a move to a machine position, which is not in the program.
+    """Process a move to a machine position (G28, G30, G53). The program does not contain machine positions.
 
-    Only a move in Z becomes a command. The unknown position is reported only if another move follows; an unknown height
-    is not reported if a stop follows first.
+    Only a move in Z is stored as a command. The unknown position is reported only if another move follows. An unknown
+    height is not reported if a stop precedes the next move.
     """
     line.apart = True
     axes = line.letters & set("XYZ") or (set() if line.code == codes.MACHINE_COORDINATES else set("XYZ"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Handle the G-codes of moves that are in force for one line only, of dwells, and of calls, which are not read.
+"""Handle the G-codes of dwells, of calls, and of moves whose G-code is in force for one line only.
 
-The moves for one line are probes, threads and splines.
+The moves for one line are probes, threads and splines. Calls are reported as not read.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def _macro_call(machine: Machine, line: Line) -> None:
 
 
 def _pocket(machine: Machine, line: Line) -> None:
-    """Process G12, G13 and G150, with which Haas' controls mill circles and pockets."""
+    """Process G12, G13 and G150, the codes of Haas controls for milling circles and pockets."""
     if line.letters.isdisjoint("IQ"):
         machine.other(line)
     else:
@@ -78,7 +78,7 @@ def _spline(machine: Machine, line: Line) -> None:
 
 
 def _probe_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
-    """Add a probing move as a rapid. The position is then unknown, because the tool stops where it touches the part."""
+    """Add a probing move as a rapid. Then the tool's position is unknown, because probing stops at the part."""
     machine.write(codes.RAPID, move)
     machine.place.lose(set("XYZ") & line.letters)
 

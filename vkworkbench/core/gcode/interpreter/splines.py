@@ -18,7 +18,7 @@ Point = List[float]
 
 
 def is_complete(code: int, words: dict[str, float]) -> bool:
-    """Return whether the words of a line contain all control points of its spline, and a target."""
+    """Return whether a line contains all words for the control points of its spline, and an X or Y word."""
     return _WORDS[code] <= words.keys() and not {"X", "Y"}.isdisjoint(words)
 
 
@@ -33,7 +33,7 @@ def chords(code: int, words: dict[str, float], start: Point, end: Point) -> np.n
         I and J are the vector from the start to the first control point, mm. P and Q of G5 are the vector from the end
         to the second control point, mm.
     start, end : list of float
-        The end points, mm: X, Y, and other axes, which move at constant speed.
+        The end points of the spline, mm. The first two axes are X and Y; other axes move at constant speed.
     """
     first, last = np.array(start), np.array(end)
     leave, arrive = np.zeros(len(start)), np.zeros(len(start))

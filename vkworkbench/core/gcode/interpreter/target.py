@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert the words of a move into lengths in the coordinates of the toolpath."""
+"""Convert the words of a move into lengths, mm, in the coordinates of the toolpath."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vkworkbench.language import Message
 
 _COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # letters of absolute coordinates, and their axes
 _OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # for arcs with absolute centres (G90.1)
-_POLAR = "@^"  # letters of LinuxCNC's polar coordinates: distance from the origin, and angle
+_POLAR = "@^"  # LinuxCNC's polar coordinates: @ is the distance from the origin, ^ is the angle in degrees
 _LENGTHS = frozenset("XYZIJKRQ")
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D", *_POLAR}
 
@@ -49,7 +49,7 @@ def polar_step(machine: Machine, parameters: dict[str, float]) -> dict[str, floa
 
 
 def _cartesian(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
-    """Return the words of a line with X and Y instead of LinuxCNC's polar coordinates @ and ^."""
+    """Return the words of a line, with X and Y words instead of LinuxCNC's polar coordinates @ and ^."""
     place, unit = machine.here(), machine.modes.unit
     if not {"X", "Y"} <= place.keys() and (machine.modes.relative or not {*_POLAR} <= parameters.keys()):
         for letter in sorted({*_POLAR} & parameters.keys()):
@@ -87,7 +87,7 @@ def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, f
 
 
 def _centred(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
-    """Return the words of a move, with the centre of an arc from this line or from an earlier line."""
+    """Return the words of a move; for an arc, with the centre from the same line or from an earlier line."""
     centre = {letter: move.pop(letter) for letter in "IJK" if letter in move}
     if centre and machine.modes.relative:  # the words are relative to the tool's position, which is not known here
         machine.pole = {}

@@ -14,11 +14,11 @@ def take(machine: Machine, line: Line, *, change: bool) -> None:
 
     The tool change loads the tool of the first T word; a second T word preselects the next tool.
     """
-    numbers = [value // 1 for letter, value in line.words if letter == "T"]  # T9.10 is tool 9 with offset 10
+    numbers = [value // 1 for letter, value in line.words if letter == "T"]  # T9.10 means tool 9 with offset 10
     tools = [whole(number, LARGEST_NUMBER) for number in numbers]
     for named in tools:
         machine.clues.tool(named, machine.number)
-        machine.add(f"T{named}", {})  # `with_changes` makes it a tool change in a program without M6
+        machine.add(f"T{named}", {})  # in a program without M6, `with_changes` makes this command a tool change
     # On Fagor controls, the T word can be in a line after the M6. The tool change is then moved to the T word.
     if tools and not change and machine.unnamed is not None:
         machine.commands[machine.unnamed] = "G94", {}

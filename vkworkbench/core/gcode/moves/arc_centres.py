@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read the centre words and the turns of a program's arcs."""
+"""Read the centre words (I, J, K) and the number of turns (P) of a program's arcs."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ _OFF_CIRCLE = 0.05  # mm; if an arc ends farther than this from its circle, its 
 def resolve_arcs(
     program: ModalState, rows: np.ndarray, axes: np.ndarray, start: np.ndarray, end: np.ndarray
 ) -> arcs.Arcs:
-    """Return the geometry of the arcs, and report the arcs that are not read as they are written.
+    """Return the geometry of all arcs, and report each arc that is not read exactly as the program defines it.
 
     Parameters
     ----------
     program : ModalState
         The commands.
     rows : (m,) int
-        The commands that are arcs.
+        Indices of the commands that are arcs.
     axes : (m, 3) int
         The two axes of each arc's plane, and the axis of the plane's normal.
     start, end : (m, 3) float64
-        The start point and the end point of each arc along these axes, mm.
+        The start point and the end point of each arc along the axes in `axes`, mm.
     """
     words, problems = program.words, program.problems
     columns, unusable = zip(*(words.column(letter, rows) for letter in "IJK"))
@@ -68,7 +68,9 @@ def resolve_arcs(
 
 
 def _repeats(offset: np.ndarray) -> bool:
-    """Return whether two neighbouring circles have equal centre words, (m, 2) mm, as circles in a helix have.
+    """Return whether two successive circles have equal centre words, as the circles of a helix do.
+
+    `offset` contains the centre words of the circles, (m, 2) mm.
 
     Equal centre words are offsets. If they were coordinates, both circles would have the same centre, which is rare.
     """

@@ -7,25 +7,26 @@ from dataclasses import dataclass
 
 import numpy as np
 
-KILOMETRE = 1e6  # mm; an arc whose radius is at least this is read as a line
+KILOMETRE = 1e6  # mm; an arc with this radius or a larger radius is read as a line
 # Largest radius of an arc of more than half a turn, mm. An arc with a larger radius is read as a line, because rounding
 # probably moved its centre to the wrong side of the chord.
 LARGEST_CIRCLE = 1e4
-LARGEST_STEP = np.pi / 4  # rad, largest angle of a chord; with larger angles, tiny circles lose their directions
-SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; finer chords would not fit into memory
+# Rad, largest angle of a chord; with larger angles, the chords of tiny circles have too few directions.
+LARGEST_STEP = np.pi / 4
+SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; smaller chords would need too much memory
 SAME_POINT = 1e-6  # mm, largest distance between equal points; FreeCAD saves 6 decimals
-SAME_DIRECTION = 5e-7  # rad; grbl reads a sweep below this as a full circle
-ROUNDED = 0.02  # mm, largest rounding error of an end point; a program in inches may have three decimals
+SAME_DIRECTION = 5e-7  # rad; an arc with a sweep below this can be a full circle, as in grbl
+ROUNDED = 0.02  # mm, largest rounding error of an end point, for a program in inches with three decimals
 
 
 @dataclass(frozen=True)
 class Arcs:
-    """Geometry of m arcs in their plane.
+    """Geometry of m arcs; each arc is described in its own plane.
 
     Attributes
     ----------
     centre : (m, 2) float64
-        In-plane centre, mm.
+        Centre of each arc in its plane, mm.
     sweep : (m,) float64
         Exact angle from start to end, rad, counter-clockwise positive; 0 if the arc is read as a line.
     radius : (m, 2) float64
@@ -59,7 +60,7 @@ def resolve(
     Parameters
     ----------
     start, end : (m, 2) float64
-        In-plane end points, mm.
+        End points of each arc in its plane, mm.
     clockwise : (m,) bool
         Whether each arc is clockwise (G2).
     offset : (m, 2) float64

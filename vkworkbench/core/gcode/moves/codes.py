@@ -30,26 +30,28 @@ PLANES = {XY_PLANE: 17, 180: 18, 190: 19}
 DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the axis of canned cycles in each plane
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
 TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
-# G98 of Fanuc controls, a name of this package: cycles of FEED_OUT end at the start height, but feed only up to R.
+# G98 of Fanuc controls, under which cycles of FEED_OUT feed only up to R and rise at rapid to the start height. Only
+# this package uses this number.
 RAPID_TO_START = 981
 INVERSE_TIME, PER_MINUTE, PER_TURN = 930, 940, 950
 FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
 COMPENSATION, END_COMPENSATION = (410, 411, 420, 421), 400
 DWELL = 40
 
-# Codes that `linearize` accepts and that do not move the tool. `linearize` reads the state that such a code sets,
-# ignores the code, or reports that the code is not read.
+# Known codes that do not move the tool. `linearize` reads the state that such a code sets, ignores the code, or reports
+# that the code is not read.
 STATES = (
     DWELL, 70, 80, 150, *PLANES, 200, 210, 400, *COMPENSATION, 430, 431, 432, 490, 500, 540, 550, 560, 570, 580, 590, 591, 592,
     593, 610, 611, 640, 690, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, 921, 922, *FEED_MODES, 960, 970,
     TO_START, TO_RETRACT_PLANE, RAPID_TO_START,
 )  # fmt: skip
 
-# The remaining codes are used only for the text of NC programs.
+# `linearize` does not use the groups of codes below, which are only for the text of NC programs.
 # The interpreter adds these codes to the commands, for `linearize`.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
-# Codes that store the position for G28 and G30. Mach3 homes the axes whose words are in the line; LinuxCNC moves the tool.
+# Codes that store the position for G28 and G30. Mach3 homes the axes whose words are in the line; LinuxCNC moves the
+# tool.
 STORED_POSITIONS = frozenset([281, 301])
 NUMBERED_OFFSETS = frozenset([541, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([

@@ -12,7 +12,7 @@ import numpy as np
 class Commands:
     """A list of (name, parameters) pairs.
 
-    Indexing creates a new pair, so a change in the parameters of the pair does not change the list.
+    An index returns a new pair, so changing the pair's parameters does not change the list.
 
     Attributes
     ----------
@@ -45,7 +45,7 @@ class Commands:
         counts : (n,) int64
             Number of parameters of each command.
         values : (m,) float64
-            The values of all parameters.
+            The values of all parameters, command after command.
         """
         first = len(self._values) + np.cumsum(counts) - counts
         self.names += names
@@ -63,7 +63,7 @@ class Commands:
         """Return the number of parameters of each command, and the letters and the values of all parameters."""
         counts = np.fromiter(map(len, self._letters), np.int64, len(self))
         values, first = np.array(self._values), np.array(self._first)
-        behind = first - (np.cumsum(counts) - counts)  # a replaced command leaves its old values in the array
+        behind = first - (np.cumsum(counts) - counts)  # the array still contains the values of replaced commands
         if behind.any() or len(values) > counts.sum():
             values = values[np.repeat(behind, counts) + np.arange(counts.sum())]
         return counts, "".join(self._letters), values

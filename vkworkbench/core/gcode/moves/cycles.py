@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert canned drilling cycles into moves, many cycles at a time."""
+"""Convert canned drilling cycles into moves, many cycles at once."""
 
 from __future__ import annotations
 
@@ -9,12 +9,14 @@ import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import FEED_OUT, PECK, PECKING
 
-CLEARANCE = 0.254  # mm above the last peck; in LinuxCNC, G73 retracts to this height, and the return of G83 ends there
+# mm, height above the bottom of the last peck to which G73 retracts, and at which the return of G83 ends, as in
+# LinuxCNC.
+CLEARANCE = 0.254
 MOST_PECKS = 10_000  # largest number of pecks in a hole; a Q word that needs more is ignored to save memory
 
 
 class Heights:
-    """The modal words R and Z of canned cycles, and the heights of each cycle that follow from these words."""
+    """The R and Z words in force for canned cycles, from which the heights of each cycle are computed."""
 
     def __init__(self) -> None:
         self._begin: float | None = None  # height at the start of the series of cycles; None between two series
@@ -23,7 +25,7 @@ class Heights:
         self._r = self._z = nan
 
     def part(self) -> None:
-        """End a series of cycles, because of another motion or G80."""
+        """End the series of cycles, as another motion or G80 does."""
         self._begin = None
 
     def drill(

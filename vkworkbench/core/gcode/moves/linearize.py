@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert commands into trajectories: resolve modal state, arcs and canned cycles into straight moves.
 
-All steps process whole columns. The value of a modal state comes from the last row that sets the state, which a running
-maximum of row numbers finds. Python loops are needed only to read the commands and to compute the heights of canned
+All steps process whole columns. Python loops are needed only to read the commands and to compute the heights of canned
 cycles.
 """
 
@@ -24,7 +23,7 @@ from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # largest number of trajectories; this many need 2 GB of memory
 
-_ZERO_LENGTH = 1e-9  # mm; trajectories that are no longer than this along any axis are left out
+_ZERO_LENGTH = 1e-9  # mm; a trajectory is left out if its length along each axis is at most this
 
 
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
@@ -70,7 +69,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
-    while not moved.all():  # repeat, because leaving out a short move can shorten the next move
+    while not moved.all():  # repeated, because the next move begins elsewhere if a short move is left out
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)
@@ -140,7 +139,7 @@ def _moves(program: ModalState, tolerance: float) -> tuple[np.ndarray, np.ndarra
 
 
 def _expand_cycles(program: ModalState, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the end points of the moves of all canned cycles, (k, 3) mm, and whether each move is a rapid, (k,) bool."""
+    """Return the end points of all moves of canned cycles, (k, 3) mm, and whether each move is a rapid, (k,) bool."""
     start = program.before(rows).copy()
     start[rows == 0] = program.position[0]
     axes = np.array([PLANE_AXES[p] for p in program.plane[rows].tolist()])

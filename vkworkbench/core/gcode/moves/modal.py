@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Resolve the modal state at every command: the motion, position, plane, modes and feed rate.
+"""Determine the modal state at every command: motion, position, plane, modes and feed rate.
 
-The value of a modal state comes from the last row that sets the state, which a running maximum of row numbers finds.
+The value of a modal state comes from the last command that sets the state. A running maximum of the commands' indices
+finds this command.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from vkworkbench.language import Message
 
 _SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a feed rate below this is an error
 _COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pitch
-_MOST_NAMED = 10  # largest number of unknown codes with a message each; further codes are only counted
+_MOST_NAMED = 10  # largest number of unknown codes that are named in messages; further unknown codes are only counted
 
 
 class Problems(List[Problem]):
@@ -202,7 +203,7 @@ def _last(mask: np.ndarray) -> np.ndarray:
 
 
 def _held(values: np.ndarray) -> np.ndarray:
-    """Fill each NaN with the last number before it."""
+    """Replace each NaN by the last number before the NaN."""
     last = _last(~np.isnan(values))
     return np.where(last >= 0, values[last], np.nan) if len(values) else values
 

@@ -37,7 +37,7 @@ class Program:
     unit_told : bool
         Whether the program contains a unit word (G20, G21); without a unit word, the program is read in mm.
     other : Message or None
-        Message with the machine for which the program was written; None for a mill.
+        Message with the machine (for example a lathe) for which the program was written; None for a mill.
     rotary : tuple of int
         Lines in which a rotary axis turns while the tool cuts.
     problems : tuple of Problem
@@ -61,7 +61,8 @@ class Program:
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
         """Return the trajectories of the whole program, with its problems.
 
-        `command` is a line of the text in trajectories and problems, so `commands` is the last line + 1.
+        The toolpath's `command` contains lines of the text instead of indices of commands, and so do its problems.
+        `commands` is the last line + 1.
 
         Parameters
         ----------

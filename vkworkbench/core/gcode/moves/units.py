@@ -12,15 +12,16 @@ from vkworkbench.language import Message
 
 INCH = 25.4  # mm
 
-# A toolpath that is below all three limits SMALL, LOW and SLOW is more often in the wrong unit than really this small.
+# A toolpath below all three limits (SMALL, LOW and SLOW) is more often read in the wrong unit than really this small.
 # benchmarks/inches.py prints how often toolpaths look like inches, at their exact size and at 1/25.4 of this size.
 SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches
 # As SMALL, for a remark that the unit is doubtful. Higher: remarks on more parts in mm. Lower: no remark on more large
 # parts in inches.
 DOUBTFUL = 40.0
-LOW = 4.0  # mm, from the lowest cut to the highest point; programs in mm lift the tool higher, even over a thin sheet
-SLOW = 5.0  # mm/s, median feed; few programs in inches are faster than 300 inches/min
-IMPORTED_SLOW = 300.0  # SLOW for toolpaths that FreeCAD imported, because its import reads mm/min or inches/min as mm/s
+# mm, height from the lowest cut to the highest point; most programs in mm lift the tool farther above the cuts.
+LOW = 4.0
+SLOW = 5.0  # mm/s, median feed rate; few programs in inches are faster than 300 inches/min (read as 5 mm/s)
+IMPORTED_SLOW = 300.0  # SLOW for toolpaths from FreeCAD's import, which reads mm/min or inches/min as mm/s
 # If the fastest feed, mm/s, reaches this limit, all feeds are read as mm/min. Some mills cut faster than 250 mm/s
 # (15 m/min), but even fewer programs cut more slowly than 250 mm/min throughout.
 PER_MINUTE = 250.0
@@ -28,7 +29,7 @@ PER_MINUTE = 250.0
 # lower, large parts in whole millimetres are read as increments. If the limit is higher, small parts in increments are
 # missed.
 LONG = 5000.0
-TOOLS = 4.0  # tool diameters; cuts that are larger than this fit the tool, so their unit is right
+TOOLS = 4.0  # tool diameters; if the cuts are larger than this, the unit is probably right
 
 
 def looks_like_inches(
@@ -44,7 +45,7 @@ def looks_like_inches(
     imported : bool
         Whether FreeCAD imported the toolpath, so that the feeds are 60 times too large.
     small : float
-        The cuts of such a toolpath are smaller than this, mm.
+        Upper limit for the longer side of the cuts in X and Y, mm.
     """
     cuts = ~toolpath.rapid
     if not cuts.any():
@@ -52,7 +53,8 @@ def looks_like_inches(
     points = _ends(toolpath)
     size = float(np.ptp(points[:, :2], axis=0).max())
     lift = float(toolpath.points[:, 2].max() - points[:, 2].min())
-    if not (0 < size < small and 0 < lift < LOW):  # a single hole has size 0, a laser has lift 0
+    # The size of a single hole is 0; the lift in a program for a laser is 0.
+    if not (0 < size < small and 0 < lift < LOW):
         return False
     if tool_diameter and size > TOOLS * tool_diameter:
         return False
@@ -60,10 +62,10 @@ def looks_like_inches(
 
 
 def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
-    """Return whether a toolpath looks as if its program has no decimal points.
+    """Return whether a program's lengths are probably increments, because its words have no decimal points.
 
-    Old controls read words without a decimal point in least increments (0.001 mm, 0.0001 inches). New controls read
-    such words in mm or inches.
+    Old controls read lengths without a decimal point as multiples of 0.001 mm or 0.0001 inches. New controls read such
+    lengths in mm or inches.
 
     Parameters
     ----------
@@ -78,7 +80,7 @@ def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
 
 
 def _ends(toolpath: Toolpath) -> np.ndarray:
-    """Return the start and end points of the c cuts, (2c, 3) mm."""
+    """Return the start points and the end points of all c cuts, (2c, 3) mm."""
     cuts = ~toolpath.rapid
     return np.concatenate((toolpath.points[:-1][cuts], toolpath.points[1:][cuts]))
 

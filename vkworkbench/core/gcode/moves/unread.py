@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Report the words that a machine reads but this package does not."""
+"""Report the words that can change a machine's motion, but that `linearize` does not read."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"
-# Words that `linearize` reads, and words without influence on the tool's path.
+# Letters of the words that `linearize` reads, and of words that do not change the tool's path.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
-_CORNERS = frozenset("IJKR")  # in a straight move, some controls round or chamfer the next corner with these words
-# s. A larger P word of a dwell is in ms, as on Fanuc's controls.
+_CORNERS = frozenset("IJKR")  # in straight moves, some controls use these words to round or chamfer the next corner
+# s, largest P word of a dwell that is read in seconds. A larger P word is in ms, as on Fanuc controls.
 _LONGEST_DWELL = 60.0
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
@@ -46,7 +46,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     Yields
     ------
     (m,) int, Message
-        Indices of the commands, an empty array if the message does not apply; and the message.
+        Indices of the commands with a word of this kind (empty if there are none), and the message.
     """
     codes, moves = words.codes, motion >= 0
     for letter in sorted(words.letters - _READ):

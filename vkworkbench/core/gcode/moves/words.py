@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert a list of commands into arrays: G-codes and parameter columns."""
+"""Convert a list of commands into arrays: the G-codes, and a column for each parameter."""
 
 from __future__ import annotations
 
@@ -26,11 +26,12 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.core.toolpath import COORDINATE_LIMIT
 
 _MOVES = (*MOTIONS, *PROBES, *MACHINE)
-_CARRIERS = frozenset(STATES) - {DWELL, 431, CANCEL}  # states beside which axis words are the target of a move
+# Codes that do not move the tool; axis words in the same command are the target of a move.
+_CARRIERS = frozenset(STATES) - {DWELL, 431, CANCEL}
 _ABSENT = 1e300
 _PIECE = 50_000  # number of commands read at once; the parameters of each command need half a kB of memory
-# The first word of a line that begins with a coordinate or a line number. FreeCAD's import makes this word the name of
-# the command.
+# A name such as X10. FreeCAD's import makes the first word of a line the command's name, even if this word is a
+# coordinate or a line number.
 _WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
 
 
@@ -52,7 +53,7 @@ class Words:
     names : list of str
         Name of each command.
     codes : (n,) int64
-        Code of each command, see `codes.code_of`; in a command with two codes, the code that moves the tool.
+        Code of each command (see `codes.code_of`). For a command with two codes, the code that moves the tool.
     second_rows, second_codes : (m,) int64
         Indices of the commands with a second code, and the second codes.
     """
@@ -65,7 +66,7 @@ class Words:
             self.names, count, letters, self._values = _read(commands)
         table = {name: code_of(name) for name in set(self.names)}
         self.codes = np.fromiter(map(table.__getitem__, self.names), np.int64, len(self.names))
-        # Lower-case letters are valid, too; FreeCAD's own letters are upper-case.
+        # Lower-case letters are also valid. FreeCAD writes upper-case letters.
         self._letters = np.frombuffer(letters.encode("ascii", "replace").upper(), np.uint8)
         self._rows = np.repeat(np.arange(len(count), dtype=np.int32), count)
         self.second_rows, self.second_codes = self._second_codes(_CARRIERS.intersection(table.values()))
@@ -74,13 +75,13 @@ class Words:
         """Set the code of each command to its motion; return the rows and the values of all other codes, (m,) int.
 
         FreeCAD stores ``G90 G1 X45`` as G90 with the parameters G and X, and ``G90 X45`` as G90 with the parameter X.
-        Post processors write these words unchanged, so machines move the tool. After a bare G28, the words belong to
-        the G28.
+        Post processors write these words unchanged, so machines move the tool. In the command after a G28 without
+        words, the axis words belong to the G28.
 
         Parameters
         ----------
         states : frozenset of int
-            Codes of the commands beside which axis words are the target of a move.
+            The codes in `_CARRIERS` that the commands contain.
         """
         rows = self.two_codes
         if not (len(rows) or states):
@@ -111,7 +112,7 @@ class Words:
 
     @property
     def two_codes(self) -> np.ndarray:
-        """(m,) int : Rows of the commands with a second code in the parameter G, which some post processors leave out."""
+        """(m,) int : Rows of the commands with a parameter G (a second code), which some post processors leave out."""
         rows: np.ndarray = self._rows[self._letters == ord("G")].astype(np.int64)
         return rows
 
@@ -234,7 +235,7 @@ def _table_of(parameters: list[Any]) -> tuple[np.ndarray, str, np.ndarray]:
 def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarray]:
     """Return the number of parameters of each command, and the letters and the values of all parameters.
 
-    The three passes over the parameters use iterators, which are faster than Python loops.
+    The parameters are read three times with iterators, which are faster than one Python loop.
     """
     count = np.fromiter(map(len, parameters), np.int64, len(parameters))
     names = ",".join(chain.from_iterable(parameters))

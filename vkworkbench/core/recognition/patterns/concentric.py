@@ -24,7 +24,7 @@ class ConcentricArcs:
     length : float
         Length of all arcs, mm.
     opposite, same : float
-        Length of the arcs whose neighbour runs in the opposite direction, and of those whose neighbour runs in the same
+        Length of the arcs that run opposite to their neighbour, and length of the arcs that run in their neighbour's
         direction, mm.
     spiral : float
         Length of the arcs whose radius changes steadily, mm.

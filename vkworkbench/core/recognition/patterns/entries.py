@@ -9,7 +9,7 @@ from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.patterns.spurs import some_moves
 from vkworkbench.core.recognition.thresholds import ENTRY, MAJORITY, ROUNDING
 
-LEVEL = 1e-6  # mm; a move whose height changes by more is not level
+LEVEL = 1e-6  # mm; a move is level if its height changes by at most this value
 ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 
 
@@ -114,7 +114,7 @@ def share_rising(moves: Areas) -> float:
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     """Return the first move of the descent at the start of each area, and the move after the descent, (a,) each.
 
-    Both are the first move of the area if the area does not begin with a descent. Some ramps begin with a level move
+    Both returned moves are the area's first move if the area does not begin with a descent. Some ramps begin with a level move
     outwards and descend back along the same line.
     """
     x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length

@@ -93,7 +93,8 @@ def cut_pieces(moves: Areas) -> Pieces:
     parts = _Stretches(moves, start)
     net, closed = parts.net()
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
-    # Only open pieces of at least three moves, and loops with at least a full turn that cancels out, go back and forth.
+    # Only two kinds of pieces can go back and forth: open pieces of at least three moves, and loops in which at least a
+    # full turn cancels out.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
         able[:] = False  # such short pieces are links between loops
@@ -135,7 +136,7 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
     begins = cut.copy()
     begins[moves.reversals] = begins[-1] = True
     back: np.ndarray = moves.reversals[~cut[moves.reversals]]
-    back = back[~begins[back + 1]]  # a pass of one move is straight
+    back = back[~begins[back + 1]]  # a pass of one move is always straight
     if not len(back):
         return back
     start = np.flatnonzero(begins[:-1])
@@ -218,7 +219,7 @@ class _Stretches:
     def measure(
         self, kind: np.ndarray, area: np.ndarray, net: np.ndarray, passes: np.ndarray, wavy: np.ndarray
     ) -> Pieces:
-        """Return the pieces with all their measures."""
+        """Return the stretches as pieces with all measures."""
         moves, start = self.moves, self.start
         low, high = np.minimum, np.maximum
         z = last_z = moves.z[self.end - 1]
@@ -290,7 +291,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
         return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
-    chosen = None  # all moves
+    chosen = None  # counts all moves
     if len(stretch) < k:
         chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]

@@ -146,7 +146,7 @@ class _Compared(NamedTuple):
     flags : dict of (k,) bool
         The relations by their names in `Rings`.
     inner : (k,) float
-        Distance to the next ring inside, mm; infinite without one.
+        Distance to the next ring inside, mm; infinite if no ring is inside.
     shifts : (s,) float
         Mean shift of the sides from each ring to a nested one that is cut later, mm.
     turns : (t,) float
@@ -181,7 +181,7 @@ def _compare_rings(inward: Inward, limit: float) -> _Compared:
         np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
         if flags["nested"].all():
             steps = inner[np.isfinite(inner)]
-            if steps.max() < 2 * steps.min():  # no room for another ring between neighbouring rings
+            if steps.max() < 2 * steps.min():  # no third ring fits between two rings
                 break
     return _Compared(flags, inner, np.concatenate(shifts), turns)
 
@@ -287,7 +287,7 @@ class Pairs:
         longer, shorter = np.maximum(one, two), np.minimum(one, two)
         parallel = (longer - shorter < NESTS.LONGER * np.abs(self.shift.mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
         slack, other_slack = self.both(shapes.slack)
-        parallel |= slack + other_slack > 2  # lengths of winding turns are not compared
+        parallel |= slack + other_slack > 2  # open turns of windings: do not compare lengths
         near = (step > NESTS.APART) & (step <= self.limit)
         found: np.ndarray = apart & near & parallel & (self.alike | ~(wavy & other_wavy))
         return found

@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import MAJORITY, NEGLIGIBLE, NESTS, ROUNDING, ROWS
 
-_ROUNDING = 1e-9  # rad; an axis closer to pi than this is 0
+_ROUNDING = 1e-9  # rad; an axis that differs from pi by less than this value is set to 0
 _EQUAL = 1e-12  # share of the pitch; smaller differences between gaps are rounding errors of float64
 
 
@@ -178,7 +178,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
 
 
 def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
-    """Return whether steps within rounding go to one side, as in fine rows. Rounding of one line goes to both sides."""
+    """Return whether steps within rounding go to one side, as in fine rows. Rounding errors go to both sides."""
     small = step[(lateral > ROWS.FINEST) & (lateral <= ROUNDING.PLACE)]
     if len(small) < max(ROWS.MANY, MAJORITY.SHARE * np.count_nonzero(lateral > ROWS.FINEST)):
         return False
@@ -342,7 +342,8 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
     count[:-1] += count[1:]  # join neighbouring cells, because equal distances can be in both
-    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))  # lines with room behind them
+    # The number of lines that are at least this distance before the last line, so that another line can repeat them.
+    with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
     score = count * share  # a distance that repeats by chance does so for few lines
     nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples are equally frequent

@@ -31,7 +31,7 @@ from vkworkbench.core.recognition.thresholds import (
     WINDINGS,
 )
 
-_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # after multiplication, the outermost side is the lowest
+_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # a box times _LOW has its outermost sides as its lowest numbers
 
 
 class Corrections(NamedTuple):
@@ -91,7 +91,7 @@ class Section:
 
     @cached_property
     def _kinds(self) -> np.ndarray:
-        """Kinds of the pieces, (p,) int, with small loops counted as the zigzag around them, and slots as strokes."""
+        """Kind of each piece, (p,) int. A small loop in a zigzag is ZIGZAG; a slot cut back and forth is STROKE."""
         kinds = _absorbed(self.pieces)
         kinds[self._slots] = STROKE
         return kinds
@@ -114,7 +114,7 @@ class Section:
 
     @cached_property
     def strokes(self) -> Strokes:
-        """The open strokes. If their total length is short, they are links and are left out."""
+        """The open strokes. Strokes of a short total length are links and are left out."""
         opened = self._kinds == STROKE
         if self.pieces.length[opened].sum() < NEGLIGIBLE.LINKS * self.length:
             opened[:] = False
@@ -163,7 +163,7 @@ class Section:
 
     @cached_property
     def families(self) -> list[Rows]:
-        """Families of parallel passes, at most two."""
+        """The families of parallel passes, at most two families."""
         pieces, rowlike = self.pieces, self._rowlike
         if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
             return []  # such short pieces are links between loops
@@ -250,7 +250,7 @@ class Section:
         depth = number_depths(pieces.z[level])
         around, last = np.full((int(depth.max()) + 1, 4), np.inf), np.zeros(int(depth.max()) + 1, np.int64)
         np.minimum.at(around, depth, pieces.box[level] * _LOW)
-        last[depth] = level  # for several pieces at one depth, numpy keeps the last
+        last[depth] = level  # if several pieces have one depth, numpy assigns the last piece
         large = pieces.box[last, 2:] - pieces.box[last, :2] > -MAJORITY.SHARE * (around[:, :2] + around[:, 2:])
         ends = (pieces.kind[last] == LOOP) & large.all(axis=1) & (np.bincount(depth) > 2)
         return bool(pieces.length[level][ends[depth]].sum() > MAJORITY.SHARE * pieces.length[level].sum())
@@ -263,8 +263,7 @@ class Section:
         float
             Share of the rows' length inside a ring, which is the contour of their walls.
         float
-            Share of the rings' length in level rings that are not nested and lie amid rows. They are contours of
-            islands.
+            Share of the rings' length in contours of islands: level rings that are not nested and lie amid rows.
         """
         pieces, row, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
         if not len(row) or not len(ring):

@@ -204,7 +204,7 @@ def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
 
 
 def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:
-    """Return whether each section is long enough for an operation, (k,) bool. Drilling always is."""
+    """Return whether each section is long enough for an operation, (k,) bool. Drilled sections always are."""
     drilled = np.array([one.strategy is Strategy.DRILLING for one in found])
     return drilled | (share > PARTS.CERTAIN) if program else drilled
 

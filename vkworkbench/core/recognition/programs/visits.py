@@ -84,7 +84,7 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     if len(moves.start) + len(moves.holes) < 2:
         return None
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    # A block is an area or a drilled hole. A hole is a block with one move, which lies at its bottom and has no length.
+    # A block is an area or a drilled hole. A hole counts as one move without length at the bottom of the hole.
     hole, none = toolpath.points[moves.holes + 1], np.zeros(len(moves.holes))
     index, begins = np.concatenate([moves.index, moves.holes]), np.ones(len(moves) + len(none), bool)
     begins[: len(moves)] = False

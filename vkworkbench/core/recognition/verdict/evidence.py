@@ -19,7 +19,7 @@ from vkworkbench.language import ENGLISH, Message
 
 @dataclass(frozen=True)
 class Evidence:
-    """Numbers of a section, with the same fields as Recognition."""
+    """The numbers that support a verdict on a section. Recognition documents the fields."""
 
     level: int
     phi_range: tuple[float, float]

@@ -44,7 +44,7 @@ def _measure_areas(section: Section, extent: float) -> dict[str, float]:
     last = moves.end - 1
     net = moves.phi[last] - moves.phi[moves.start]
     turned = max(float(np.abs(moves.turning).sum()), ROUNDING.HEIGHT)
-    # The paper's quantities for each area: the range of phi, the net turn, and V_k of the last trajectory.
+    # For each area: the range of phi, the net turn, and |V_k| of the last trajectory divided by the length.
     share, number = moves.area_length / moves.area_length.sum(), len(moves.start)
     ranges = moves.phi_extent / TURN
     turns = np.abs(net) / TURN
@@ -158,7 +158,7 @@ def _measure_rings(section: Section, extent: float) -> dict[str, float]:
 
 
 def _measure_rows(section: Section, extent: float) -> dict[str, float]:
-    """Measure the families of rows; -1 if there are no rows."""
+    """Measure the families of rows. The measures of the rows' shape are -1 if there are no rows."""
     rows = section.rows
     main = max(rows, key=lambda family: family.length) if rows else None
     return {

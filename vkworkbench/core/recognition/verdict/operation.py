@@ -56,7 +56,7 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
 
 
 def _with_layers(why: Message, entry: str | None, finishing: Message | None) -> Message:
-    """Add the entry (unless it is a plunge) and the finishing pass to a reason."""
+    """Return a reason with the entry (unless the tool plunges) and the finishing pass added."""
     way = ENTERED.get(entry or "")
     return Message("with-layers", told=why, entry=way, finishing=finishing) if way or finishing else why
 
@@ -64,7 +64,7 @@ def _with_layers(why: Message, entry: str | None, finishing: Message | None) -> 
 def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
     """Divide the trajectories first .. last of a mixed operation into stretches of loops and stretches of rows.
 
-    A link belongs to the piece before it. A lead-in belongs to the piece after it.
+    A link belongs to the stretch before the link. A lead-in belongs to the stretch after the lead-in.
     """
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()

@@ -56,7 +56,7 @@ class Verdict:
 
 
 def judge_section(section: Section) -> Verdict:
-    """Return the strategy of a section, which its rings, rows or open strokes show, whichever prevail."""
+    """Return the strategy of a section's rings, rows or open strokes, whichever have most of the cutting length."""
     rings = section.share(section.ring_pieces[section.rings.index])
     rows = _share_of_rows(section, 1 - rings)
     arcs = _judge_arcs(section) if rings < RINGS.OFFSETS and rows < MAJORITY.SHARE else None
@@ -73,7 +73,7 @@ def judge_section(section: Section) -> Verdict:
 
 
 def _share_of_rows(section: Section, open_share: float) -> float:
-    """Return the share of the length in rows. If most of the open length is rows, the rest is links and counts too."""
+    """Return the share of the length in rows. If most open pieces are rows, the other open pieces are links of rows."""
     rows = max(section.zigzag, sum(family.length for family in section.rows) / section.length)
     return open_share if rows > MAJORITY.SHARE * open_share else rows
 
@@ -134,7 +134,7 @@ def _judge_rings(section: Section, rings: float) -> Verdict:
         return Verdict(Strategy.MIXED, 2, Message("pass-inside"))
     if section.letters():
         return Verdict(Strategy.ENGRAVING, count, Message("many-shapes"))
-    # Loops that are repeated at other depths are contours, and so are separate loops.
+    # Loops repeated at other depths are contours. Separate loops, which are not nested, are contours as well.
     return Verdict(Strategy.PROFILE, count, _seen_of_contours(section, rings))
 
 

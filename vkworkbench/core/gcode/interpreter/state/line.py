@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store one line of a program while its words are processed."""
+"""Store one line of a program while the words of the line are processed."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 @dataclass
 class Line:
-    """The words of a line, with the effects of its G-codes.
+    """The words of a program line, with the effects of the G-codes in the line.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class Line:
     feeds : bool
         Whether an F word is a feed rate, not a parameter of a code.
     feed_factor : float
-        Factor for the F word. In RS274/NGC, the F word beside a change of the unit still has the previous unit.
+        Factor for the F word. In RS274/NGC, an F word in the line of G20 or G21 still has the previous unit.
     """
 
     words: list[tuple[str, float]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the state of a machine after the lines read so far, and the commands from these lines."""
+"""Store the commands of the program lines read so far, and the state of the machine after these lines."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NO_LENGTH = (490, None)  # no tool length offset is in force
 
 
 class Machine:
-    """The commands of the lines read so far, and the state in which these lines leave the machine.
+    """The commands of the program lines read so far, and the state of the machine after these lines.
 
     `modes` contains the state that a program can save and restore, so saving copies only a few numbers.
 
@@ -30,7 +30,7 @@ class Machine:
     commands, lines, inverse_time
         As in `Program`.
     problems : dict of Message to list of int
-        Messages on the parts of the program that were not read, with their lines.
+        Messages on the parts of the program that were not read, with the lines of these parts.
     clues : Clues
         Signs of the machine for which the program was written.
     number, deleted
@@ -38,7 +38,8 @@ class Machine:
     modes : Modes
         The modal state, without the motion.
     saved : list of (Modes or None, bool)
-        For each level of calls, the modal state that M70 or M73 saved, and whether the return restores it (M73).
+        For the main program and each nested call: the modal state that M70 or M73 saved, and whether the return from
+        the subprogram restores this state (M73).
     origins : Origins
         The origins of the coordinates.
     maps : Maps
@@ -63,7 +64,7 @@ class Machine:
         Lines of moves to machine positions since the last other move, with messages. The messages are reported only if
         another move follows.
     ended : bool
-        Whether M2 or M30 was read.
+        Whether the lines read so far contain M2 or M30.
     call : float or None
         The M-code with which the last line calls a subprogram; None if the line calls none. The caller of `block` must
         run the subprogram.
@@ -96,7 +97,7 @@ class Machine:
     pause : float
         Dwell in each hole of the canned cycle in force, s.
     later : dict or None
-        Words of a canned cycle with L0, which drills its first hole only in a later line; otherwise None.
+        Words of a canned cycle with L0, which drills no hole until a later line contains axis words; otherwise None.
     angles : dict
         Last value of each rotary axis, by its letter.
     pole : dict
@@ -165,8 +166,8 @@ class Machine:
     def moves_plainly(self) -> bool:
         """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
 
-        If so, `plain_lines` reads many lines at once, without the handlers of this package. Every state that changes
-        moves or adds messages in another way must be excluded here.
+        While this is true, `plain_lines` reads many lines at once, without the handlers of this package. Every state
+        that changes moves in another way, or that adds messages, must be excluded here.
         """
         return (
             self.moved
@@ -213,18 +214,18 @@ class Machine:
         self.place.move_end(command, way)
 
     def stand(self, *, stands: bool) -> None:
-        """Begin or end moves at an unknown feed rate: a feed rate per turn while the spindle does not turn."""
+        """Begin or end moves at an unknown feed rate, which is a feed per turn while the spindle does not turn."""
         if stands != self.stands:
             self.add("G95" if stands else "G94", {})
             self.stands = stands
 
     def leave_out(self, line: Line, what: Message) -> None:
-        """Report a code that is not read, with the axis words of its line."""
+        """Report a code that is not read. The axis words in the code's line are not the target of a move."""
         self.problem(what)
         line.apart = True
 
     def unknown(self, code: int, line: Line) -> None:
-        """Report an unknown G-code, and the line's axis words, which are possibly its parameters."""
+        """Report an unknown G-code, and the axis words in the line, because they can be the G-code's parameters."""
         name, left_out = repr(codes.name_of(code)), ", ".join(sorted(line.letters & {"X", "Y", "Z"}))
         if left_out:
             self.problem(Message("unknown-code-with-words", name=name, letters=left_out))
@@ -271,7 +272,7 @@ class Machine:
         return {axis: round((value - self.origins.of(axis)) / self.modes.unit, 9) for axis, value in here.items()}
 
     def stop(self) -> None:
-        """Note a stop at which the operator or tool changer can move the tool, which is then at a safe height."""
+        """Note a stop at which the operator or the tool changer can move the tool, so that its height is safe."""
         self.stopped = True
         self.away = [(line, what) for line, what in self.away if what.code != "machine-height"]
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Mirror, scale and rotate coordinates (G51.1, G51, G68), and rotate work offsets (G10 L2 R).
 
-A point in the XY plane is a complex number. Controls mirror first, then scale, then rotate.
+A point in the XY plane is a complex number. Controls apply the mirror first, then the scale, then the rotation.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from vkworkbench.core.gcode.interpreter.state.origins import System
 class Map(NamedTuple):
     """A similarity of the XY plane, which maps a point p to ``factor * p + offset``.
 
-    If `flips` is true, p is conjugated first.
+    If `flips` is true, the map first replaces p by its complex conjugate.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ def _around(factor: complex, centre: complex) -> Map:
 
 
 class Maps:
-    """The maps in force.
+    """The mirrors, scales and rotations in force.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ class Maps:
     scale, turn : (complex, complex) or None
         The factor and the fixed point (mm) of G51, and of G68; None if the code is not in force.
     height : (float, float)
-        The factor for Z, and the height that scaling does not change, mm.
+        The factor of the scale along Z, and the height that this scale does not change, mm.
     angles : dict
         The angle of each rotated work offset, degrees.
     """
@@ -114,7 +114,7 @@ class Maps:
         return fixed + origin + factor * (z - fixed - origin)
 
     def height_before(self, z: float, origin: float) -> float:
-        """Return the height that scaling changes to the given height, mm."""
+        """Return the height before scaling, mm, from a height after scaling; `origin` is as in `height_of`."""
         factor, fixed = self.height
         return fixed + origin + (z - fixed - origin) / factor
 

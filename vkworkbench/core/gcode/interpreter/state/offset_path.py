@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute with the lines and arcs of an offset path, which runs beside a programmed path.
+"""Compute with straight lines and arcs, of which the tool's path beside a programmed path consists.
 
 A point in the plane is a complex number, mm.
 """
@@ -16,7 +16,7 @@ _SAME = 1e-6  # mm, largest distance between equal points
 
 @dataclass
 class Curve:
-    """A line or an arc.
+    """A straight line or an arc.
 
     Attributes
     ----------
@@ -34,7 +34,7 @@ class Curve:
     turn: int = 0
 
     def way(self, point: complex) -> complex:
-        """Return the direction of the curve at one of its points, a vector of length 1."""
+        """Return the direction of the curve at a point on the curve, as a vector of length 1."""
         way = self.end - self.start if self.centre is None else self.turn * 1j * (point - self.centre)
         return way / abs(way)
 
@@ -95,13 +95,13 @@ class Compensation:
     radius : float
         Distance of the tool's centre from the path, mm.
     programmed, tool : complex
-        The end of the programmed path, and the position of the tool's centre.
+        The last end point of the programmed path, and the position of the tool's centre, mm.
     last : Curve or None
-        The last curve beside the path; None before the first move.
+        The last offset curve; None before the first compensated move.
     command : int
-        Index of the command for the last curve.
+        Index of the command for `last`.
     relative : bool
-        Whether the words of the command for the last curve are relative.
+        Whether the words of the command for `last` are relative (G91).
     ends : bool
         Whether the next move leads back to the programmed path, because of G40.
     """
@@ -118,7 +118,7 @@ class Compensation:
 
 
 class Corner(NamedTuple):
-    """A corner that is rounded (``,R``) or chamfered (``,C``) if the next move is known.
+    """A corner after the last move, to be rounded (``,R``) or chamfered (``,C``) when the next move is read.
 
     Attributes
     ----------

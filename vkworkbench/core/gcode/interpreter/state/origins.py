@@ -12,14 +12,14 @@ from typing import Dict, Tuple
 System = Tuple[int, float]  # the G-code of a work offset, in tenths, and its P or H word
 Values = Dict[str, float]  # mm, by axis
 FIRST: System = (540, 0.0)
-# Work offsets by their numbers in the P word of G10. The number 0 has another meaning.
+# Work offsets, by the P word of G10 that selects them. P0 has another meaning.
 NUMBERED: dict[float, System] = dict(
     zip(map(float, range(1, 10)), [(code, 0.0) for code in (540, 550, 560, 570, 580, 590, 591, 592, 593)])
 )
 
 
 class Origins:
-    """The work offsets and the shift that a program contains.
+    """The work offsets and the shift (G52, G92) that a program sets.
 
     Attributes
     ----------
@@ -38,7 +38,7 @@ class Origins:
         self._suspended: Values = {}
         self._origins: dict[System, Values] = {}
         self._machine: dict[System, Values] = {}  # origins in machine coordinates, from G10 L2
-        self._assumed: set[System] = set()  # work offsets whose origin is not in the program
+        self._assumed: set[System] = set()  # work offsets whose origins are not in the program
         self._zero: Values = {}  # origin of the toolpath in machine coordinates
 
     def of(self, letter: str) -> float:
@@ -137,5 +137,5 @@ class Origins:
         self.shift = {}
 
     def resume_shift(self) -> None:
-        """Restore the shift that G92.2 suspended."""
+        """Restore the shift that G92.2 suspended (G92.3)."""
         self.shift = dict(self._suspended or self.shift)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the position of the tool from the commands of a program, for codes that depend on it (G92, G5, @)."""
+"""Compute the tool's position from the commands of a program, for codes that depend on this position (G92, G5, @)."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ class Place:
     def __init__(self, commands: Commands) -> None:
         self.lost: set[str] = set()
         self._commands, self._read = commands, 0
-        self._losses: list[tuple[int, set[str]]] = []  # number of commands before each loss; axes
+        # For each call of `lose`: number of commands before the call, and axes.
+        self._losses: list[tuple[int, set[str]]] = []
         self._at: dict[str, float] = {}
         self._motion, self._plane = -1, codes.XY_PLANE
         self._relative = self._to_retract_plane = False
