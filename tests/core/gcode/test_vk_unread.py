@@ -136,3 +136,9 @@ def test_program_with_rotary_moves_only_is_refused():
 def test_dwells_of_programs_are_read_in_seconds(lines, seconds):
     path = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z0 F100\n{lines}\nG0 Z5\n").toolpath()
     assert path.dwells[:, 1].tolist() == seconds and path.dwells[:, 0].min() == 4 + lines.startswith("G91")
+
+
+def test_words_that_freecad_stores_in_a_comment_are_named():
+    """FreeCAD stores the line ``G1 X45 F10 (finish)`` of a Custom operation as a comment with the parameter X."""
+    path = linearize([("G0", {"X": 0.0, "Z": 5.0}), ("(10finish)", {"X": 45.0}), ("(plain)", {}), ("G1", {"Z": -1.0})])
+    assert [(p.what.code, p.what.arguments["letter"], p.command) for p in path.problems] == [("word-not-read", "X", 1)]

@@ -367,7 +367,7 @@ class _Reader:
             if index not in self.ran:
                 self._problem(Message("subprogram-not-read"), index + 1)
         machine = self.machine
-        problems = tuple(Problem.at(sorted(lines), what) for what, lines in machine.problems.items())
+        problems = tuple(Problem.at(sorted(lines), what) for what, lines in machine.problems.items() if lines)
         dialects.check(self.blocks, self.strange, machine.moves, problems)
         return Program(
             machine.with_tool_changes(), np.array(machine.lines, np.int64), tuple(self.comments),

@@ -58,7 +58,7 @@ def _cut(machine: Machine, corner: Corner, move: dict[str, float]) -> None:
     size = corner.size * (tan(abs(turn) / 2) if corner.letter == ",R" else 1.0)
     if abs(turn) > pi - _SAME or size > min(abs(first), abs(second)) + _SAME:
         return
-    machine.take_back(Message("word-not-read", letter=corner.letter), corner.line)
+    machine.problems[Message("word-not-read", letter=corner.letter)].remove(corner.line)
     if size <= _SAME:
         return
     before, after = -size * first / abs(first), size * second / abs(second)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import (
+    COMMENT,
     COMPENSATION,
     CYCLES,
     DWELL,
@@ -61,11 +62,15 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
             np.flatnonzero(np.isin(motion, (RAPID, FEED)) & _given(words, letter)),
             Message("word-not-read", letter=letter),
         )
+    for letter in "XYZ":  # FreeCAD keeps the words of the line G1 X45 (side) as parameters of the comment
+        rows = np.flatnonzero((codes == COMMENT) & _given(words, letter)).tolist()
+        rows = [row for row in rows if words.names[row].lstrip().startswith("(")]
+        yield np.array(rows, np.int64), Message("word-not-read", letter=letter)
     in_cycle = np.isin(motion, CYCLES)
     for letter in "KL" if in_cycle.any() else ():
         yield np.flatnonzero(in_cycle & (words.column(letter)[0] > 1)), Message("repeats-not-read", letter=letter)
-    rows, seconds = dwells(words, motion)
-    yield rows[np.isnan(seconds)], Message("dwell-untimed")
+    dwelling, seconds = dwells(words, motion)
+    yield dwelling[np.isnan(seconds)], Message("dwell-untimed")
     yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")
     yield np.flatnonzero(codes == _INCHES), Message("inches-not-read")
     for code in COMPENSATION:

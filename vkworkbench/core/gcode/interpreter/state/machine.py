@@ -155,13 +155,6 @@ class Machine:
         """Store a message on a part of the program that is not read, for a line or by default the current line."""
         self.problems.setdefault(what, []).append(self.number if line is None else line)
 
-    def take_back(self, what: Message, line: int) -> None:
-        """Remove one report of a message on a line."""
-        lines = self.problems[what]
-        lines.remove(line)
-        if not lines:
-            del self.problems[what]
-
     @property
     def moves_plainly(self) -> bool:
         """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
@@ -195,17 +188,7 @@ class Machine:
         self.written = mode
 
     def move_end(self, command: int, end: complex, way: complex, *, relative: bool) -> None:
-        """Move the end of the last move in the XY plane.
-
-        Parameters
-        ----------
-        command : int
-            Index of the move's command.
-        end, way : complex
-            The new end, and the vector to it from the previous end, mm.
-        relative : bool
-            Whether the words of the command are relative.
-        """
+        """Change the end of the last move in the XY plane by the vector `way` to the point `end`, mm."""
         name, words = self.commands[command]
         if relative:
             end = complex(words.get("X", 0.0), words.get("Y", 0.0)) + way

@@ -45,9 +45,7 @@ class Place:
     def move_end(self, command: int, way: complex) -> None:
         """Move the position by a vector in the XY plane, mm, because a command that sets the position was changed."""
         if command < self._read:
-            for letter, length in (("X", way.real), ("Y", way.imag)):
-                if letter in self._at:
-                    self._at[letter] += length
+            self._at["X"], self._at["Y"] = self._at["X"] + way.real, self._at["Y"] + way.imag
 
     def now(self) -> dict[str, float]:
         """Return the coordinates of the tool, mm, for the axes along which its position is known."""
