@@ -159,6 +159,8 @@ FIXTURES = Property("Fixtures", fingerprint="setting")
 CYCLE_TIME = Property("CycleTime")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
+ADDED_GROUP = "Toolpath analysis"  # group of the properties that this add-on adds
+HIDDEN_AND_OUTPUT = 4 | 8  # attributes of an added property whose change does not recompute the object
 # Objects that hold the workpiece. This add-on adds the property to a job.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
 # The job whose finished part is the stock of this job. This add-on adds the property to a job.

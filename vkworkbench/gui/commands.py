@@ -15,7 +15,7 @@ from vkworkbench.document.simulation.faults import read_with_faults
 from vkworkbench.gui import measuring
 from vkworkbench.gui.qt import progress
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
-from vkworkbench.gui.qt.plain_text import inform
+from vkworkbench.gui.qt.plain_text import inform, show_status
 from vkworkbench.gui.qt.sentences import plural, sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.results import command as results
@@ -153,7 +153,7 @@ def _inform(text: str) -> None:
 
 
 def _status(text: str) -> None:
-    Gui.getMainWindow().statusBar().showMessage(text, 10_000)
+    show_status(text, Gui.getMainWindow())
 
 
 AnalyzeCommand.add()

@@ -13,16 +13,14 @@ from vkworkbench.document.job.operations import has_toolpath, job_of, kind
 from vkworkbench.document.job.previous import possible_previous_jobs, previous_job, set_previous_job
 from vkworkbench.document.simulation.simulate import Simulation, simulate_solid
 from vkworkbench.gui.qt.document_command import DocumentCommand
-from vkworkbench.gui.qt.names import QFileDialog, QInputDialog, Qt
-from vkworkbench.gui.qt.plain_text import inform, offer, warn
+from vkworkbench.gui.qt.names import QFileDialog
+from vkworkbench.gui.qt.plain_text import choose, inform, offer, show_status, warn
 from vkworkbench.gui.qt.progress import simulating
 from vkworkbench.gui.qt.saving import proposed, with_suffix
 from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
 from vkworkbench.report import Cancelled
-
-_SHOWN = 10_000  # ms for which the status bar shows a message
 
 
 class JobCommand(DocumentCommand):
@@ -202,19 +200,12 @@ def _job_of(obj):
 def _ask(title: str, text: str, jobs: list, names: list[str], take: Callable, present=None) -> None:
     """Ask for one of several jobs, and call `take` with the chosen job. `names` replace the first jobs' labels."""
     labels = names + [f"{number}. {job.Label}" for number, job in enumerate(jobs[len(names) :], 1)]
-    dialog = QInputDialog(Gui.getMainWindow())
-    dialog.setAttribute(Qt.WA_DeleteOnClose)
-    dialog.setWindowTitle(title)
-    dialog.setLabelText(text)
-    dialog.setComboBoxItems(labels)
-    if present in jobs:
-        dialog.setTextValue(labels[jobs.index(present)])
-    dialog.textValueSelected.connect(lambda label: take(jobs[labels.index(label)]))
-    dialog.open()
+    shown = jobs.index(present) if present in jobs else 0
+    choose(title, text, labels, lambda number: take(jobs[number]), Gui.getMainWindow(), shown)
 
 
 def _status(text: str) -> None:
-    Gui.getMainWindow().statusBar().showMessage(text, _SHOWN)
+    show_status(text, Gui.getMainWindow())
 
 
 for command in (ClampsCommand, PreviousJobCommand, AddMeshCommand, SaveStlCommand):

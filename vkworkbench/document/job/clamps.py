@@ -17,7 +17,6 @@ from vkworkbench.language import Message, Unusable
 
 # A hidden link does not make the job depend on its clamps, so FreeCAD recomputes no operation when a clamp is moved.
 _TYPE = "App::PropertyLinkListHidden"
-_HIDDEN_AND_OUTPUT = 4 | 8  # a change of the property does not recompute the job
 
 
 def clamps_of(job) -> tuple:
@@ -43,7 +42,9 @@ def set_clamps(job, clamps: Iterable) -> None:
     clamp_solids(clamps)  # raises `Unusable` before the document changes
     with transaction(job.Document, "Set Clamps"):
         if not freecad.CLAMPS.is_in(job):
-            job.addProperty(_TYPE, name, "Toolpath analysis", "Objects that no tool may touch", _HIDDEN_AND_OUTPUT)
+            job.addProperty(
+                _TYPE, name, freecad.ADDED_GROUP, "Objects that no tool may touch", freecad.HIDDEN_AND_OUTPUT
+            )
         setattr(job, name, clamps)
 
 

@@ -11,7 +11,6 @@ from vkworkbench.language import Message, Unusable
 
 # A hidden link does not make the job depend on the previous job, so FreeCAD recomputes no operation.
 _TYPE = "App::PropertyLinkHidden"
-_HIDDEN_AND_OUTPUT = 4 | 8  # a change of the property does not recompute the job
 
 
 def previous_job(job):
@@ -51,7 +50,7 @@ def set_previous_job(job, previous=None) -> None:
     with transaction(job.Document, "Set Previous Job"):
         if not freecad.PREVIOUS_JOB.is_in(job):
             text = "Job whose finished part is the stock of this job"
-            job.addProperty(_TYPE, freecad.PREVIOUS_JOB.name, "Toolpath analysis", text, _HIDDEN_AND_OUTPUT)
+            job.addProperty(_TYPE, freecad.PREVIOUS_JOB.name, freecad.ADDED_GROUP, text, freecad.HIDDEN_AND_OUTPUT)
         setattr(job, freecad.PREVIOUS_JOB.name, previous)
 
 

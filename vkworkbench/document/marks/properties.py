@@ -16,7 +16,6 @@ from vkworkbench.language import ENGLISH
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-GROUP = "Toolpath analysis"
 # Name of the hidden property with all data of the mark, and its name in earlier versions. A property of the user can
 # have the earlier name, too.
 MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
@@ -54,7 +53,7 @@ def _has_earlier_mark(obj) -> bool:
     """Return whether the property with the earlier name is a mark, by its group or by its data."""
     if not hasattr(obj, _EARLIER):
         return False
-    if _group(obj, _EARLIER) == GROUP:
+    if _group(obj, _EARLIER) == freecad.ADDED_GROUP:
         return True
     data = _parsed(getattr(obj, _EARLIER))
     return isinstance(data, dict) and {"format", "text"} <= set(data)
@@ -75,7 +74,7 @@ def ours(obj) -> list[str]:
     return [
         name
         for name in obj.PropertiesList
-        if is_mark(obj, name) or name in written or (name in _TYPES and _group(obj, name) == GROUP)
+        if is_mark(obj, name) or name in written or (name in _TYPES and _group(obj, name) == freecad.ADDED_GROUP)
     ]
 
 
@@ -128,7 +127,9 @@ def set_values(obj, values: dict) -> None:
             remove(obj, name)
     for name, value in values.items():
         if not hasattr(obj, name):
-            obj.addProperty(_type(name), name, GROUP, _TYPES[name][1], _HIDDEN if name == MARK else _SHOWN)
+            obj.addProperty(
+                _type(name), name, freecad.ADDED_GROUP, _TYPES[name][1], _HIDDEN if name == MARK else _SHOWN
+            )
         if _type(name) == "App::PropertyString" and not isinstance(value, str):
             value = ENGLISH.time(value)  # FreeCAD 0.20 has no property for a time
         if getattr(getattr(obj, name), "Value", getattr(obj, name)) != value:

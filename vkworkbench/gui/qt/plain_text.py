@@ -12,6 +12,7 @@ from html import escape
 
 from vkworkbench.gui.qt.names import (
     QEvent,
+    QInputDialog,
     QLabel,
     QMessageBox,
     QObject,
@@ -25,6 +26,7 @@ from vkworkbench.gui.qt.names import (
 
 _BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:[^\W\d_]{1,3}|%)(?!\w))")
 _UNBROKEN = "\u00a0"
+_SHOWN = 10_000  # ms for which the status bar shows a message
 
 
 def as_html(text: str) -> str:
@@ -107,6 +109,25 @@ def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:
 def inform(title: str, text: str, parent: QWidget) -> QMessageBox:
     """Show a message in a box that does not block."""
     return _box(QMessageBox.Information, title, text, parent)
+
+
+def choose(
+    title: str, text: str, choices: list[str], take: Callable[[int], object], parent: QWidget, present: int = 0
+) -> None:
+    """Ask for one of several different texts in a box that does not block, and call `take` with its position."""
+    dialog = QInputDialog(parent)
+    dialog.setAttribute(Qt.WA_DeleteOnClose)
+    dialog.setWindowTitle(title)
+    dialog.setLabelText(text)
+    dialog.setComboBoxItems(choices)
+    dialog.setTextValue(choices[present])
+    dialog.textValueSelected.connect(lambda chosen: take(choices.index(chosen)))
+    dialog.open()
+
+
+def show_status(text: str, window: QWidget) -> None:
+    """Show a message in a window's status bar for some seconds."""
+    window.statusBar().showMessage(text, _SHOWN)
 
 
 def warn(title: str, text: str, parent: QWidget) -> QMessageBox:

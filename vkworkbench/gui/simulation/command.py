@@ -10,8 +10,7 @@ from vkworkbench.document.job.operations import find, jobs_of, posted
 from vkworkbench.document.simulation.copy import JobCopy, copy_job
 from vkworkbench.gui.qt import docks, widgets
 from vkworkbench.gui.qt.document_command import DocumentCommand, selected_operations
-from vkworkbench.gui.qt.names import QInputDialog, Qt
-from vkworkbench.gui.qt.plain_text import inform
+from vkworkbench.gui.qt.plain_text import choose, inform
 from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.language import Unusable
@@ -38,21 +37,14 @@ class SimulateCommand(DocumentCommand):
             return
         jobs = [] if selected else list(jobs_of(posted(find(document))).values())
         if len(jobs) > 1:
-            _ask_which(jobs)
+            labels = [
+                f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)
+            ]  # two jobs can have the same label
+            title = translate("Vk_Simulate", "Simulate Toolpaths")
+            text = translate("Vk_Simulate", "Choose the job to simulate:")
+            choose(title, text, labels, lambda number: open_tab(jobs[number]), Gui.getMainWindow())
         else:
             open_tab(selected or document)
-
-
-def _ask_which(jobs: list) -> None:
-    """Ask for one of several jobs, and open a tab that simulates it."""
-    labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]  # two jobs can have the same label
-    dialog = QInputDialog(Gui.getMainWindow())
-    dialog.setAttribute(Qt.WA_DeleteOnClose)
-    dialog.setWindowTitle(translate("Vk_Simulate", "Simulate Toolpaths"))
-    dialog.setLabelText(translate("Vk_Simulate", "Choose the job to simulate:"))
-    dialog.setComboBoxItems(labels)
-    dialog.textValueSelected.connect(lambda label: open_tab(jobs[labels.index(label)]))
-    dialog.open()
 
 
 def open_tab(what):

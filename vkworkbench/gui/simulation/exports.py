@@ -16,14 +16,13 @@ import numpy as np
 
 from vkworkbench.gui.qt import progress
 from vkworkbench.gui.qt.names import QApplication, QEventLoop, QFileDialog
-from vkworkbench.gui.qt.plain_text import warn
+from vkworkbench.gui.qt.plain_text import show_status, warn
 from vkworkbench.gui.qt.saving import proposed, with_suffix
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import as_cell
 
 _FRAMES = 120  # number of pictures of the whole job
-_MESSAGE = 10_000  # ms for which the status bar shows the folder
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
 
 
@@ -62,7 +61,7 @@ def save_frames(player) -> None:
             done = write_frames(player, folder, _FRAMES, going_on)
             text = translate("Vk_Simulate", "{} of {} pictures are saved in {}.")
             text = text.format(user().count(done), user().count(_FRAMES), folder)
-            Gui.getMainWindow().statusBar().showMessage(text, _MESSAGE)
+            show_status(text, Gui.getMainWindow())
     except OSError as error:
         _not_written(player, error.filename)
     finally:
