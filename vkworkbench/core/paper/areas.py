@@ -109,8 +109,8 @@ class Areas(Moves):
         """Phi at the end of each area, (a,) rad, including the closing turn of areas that end at their start.
 
         The closing turn is the turn from the last move of an area into its first move. In an area of offset loops that
-        are linked without a lift, the closing turn of the last loop counts. The closing turn of small loops along the
-        boundary of a zigzag does not count.
+        are linked without a lift, the result includes the closing turn of the last loop. The result does not include
+        the closing turns of small loops along the boundary of a zigzag.
         """
         begin, end = self.start.copy(), self.end.copy()
         closes = self.closed.copy()
@@ -135,7 +135,7 @@ class Areas(Moves):
 
     @cached_property
     def phi_ranges(self) -> np.ndarray:
-        """Lowest and highest phi reached in each area, closing turns included, (a, 2) rad."""
+        """Lowest and highest phi reached in each area, including the closing turns of loops, (a, 2) rad."""
         if not len(self):
             return np.empty((0, 2))
         (low, high), total = self.signed_extremes, self.total_turning
@@ -143,14 +143,14 @@ class Areas(Moves):
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
-        """Lowest and highest phi reached in any area, closing turns included, rad."""
+        """Lowest and highest phi reached in any area, including the closing turns of loops, rad."""
         if not len(self):
             return 0.0, 0.0
         return float(self.phi_ranges[:, 0].min()), float(self.phi_ranges[:, 1].max())
 
     @property
     def top_level(self) -> int:
-        """Level (number of whole turns in phi) farthest from zero in any area, closing turns included."""
+        """Level (number of whole turns in phi) farthest from zero in any area, including the closing turns of loops."""
         return top_level(self.phi_range)
 
     def signature(self, area: int) -> Signature:

@@ -20,8 +20,8 @@ class Complexity:
     Attributes
     ----------
     total_turning : float
-        Sum of the absolute turns, rad: 2 pi for a convex contour, more for every dent. This is the total curvature of
-        the polyline (Milnor 1950). `Signature.total_turning` is the net turning instead.
+        Sum of the absolute turns, rad (the total curvature of Milnor 1950). The sum is 2 pi for a convex contour, and
+        every dent increases the sum. `Signature.total_turning`, by contrast, is the net turning.
     net_turning : float
         Sum of the turns with their signs, rad: the cumulative angular function phi at the end.
     windings : float
@@ -37,8 +37,8 @@ class Complexity:
 def complexity(points: np.ndarray) -> Complexity:
     """Measure the complexity of a polyline from its directions alone, in O(n).
 
-    The paper proposes this measure: the method "could be applied in many other fields to evaluate the complexity of a curve by
-    studying the features of its contour" (section 4).
+    The paper proposes this measure: the method "could be applied in many other fields to evaluate the complexity of a
+    curve by studying the features of its contour" (section 4).
 
     Parameters
     ----------
@@ -48,9 +48,9 @@ def complexity(points: np.ndarray) -> Complexity:
     Returns
     -------
     Complexity
-        The values do not depend on the polyline's position, rotation and size, if its trajectories are longer than
-        1e-9 mm. If the polyline is traversed in the other direction, the net turning and the windings change their
-        signs, except for the part from half turns, which have no sign.
+        The values do not depend on the polyline's position, rotation and size, if its trajectories are longer than 1e-9
+        mm. If the polyline is traversed in the other direction, the net turning and the windings change their signs,
+        except for the contributions of half turns, which have no sign.
 
     Raises
     ------

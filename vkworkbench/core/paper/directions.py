@@ -23,7 +23,7 @@ def wrap(angle: float) -> float: ...
 @overload
 def wrap(angle: np.ndarray) -> np.ndarray: ...
 def wrap(angle: float | np.ndarray) -> float | np.ndarray:
-    """Return angles wrapped to [-pi, pi], rad, a number or (n,)."""
+    """Return one angle or angles (n,), wrapped to [-pi, pi], rad."""
     return angle - TURN * np.rint(angle * (1 / TURN))
 
 
@@ -70,7 +70,7 @@ def signs_of_reversals(
     start : (a,) int
         First move of each area.
     half : float
-        Largest difference between half a turn and a turn without a sign, rad.
+        A turn has no sign if it differs from half a turn by less than this angle, rad.
 
     Returns
     -------
@@ -103,12 +103,11 @@ def signs_of_reversals(
 
 
 def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: float) -> np.ndarray:
-    """Return phi after the closing turn of closed paths, (k,) rad.
+    """Return phi of closed paths after the closing turn, from the last move into the first, (k,) rad.
 
-    The closing turn leads from the last move into the first. A closing turn of half a turn has no sign of its own. If
-    the path has half turns with alternating signs, the closing turn continues the alternation. Otherwise, for example
-    at the tip of a lead-in along which the tool also leaves the contour, the closing turn gets the sign that brings phi
-    closest to one full turn.
+    If the closing turn is half a turn, its sign is unknown. If the path has half turns with alternating signs, the
+    closing turn gets the sign that continues the alternation. Otherwise, for example at the tip of a lead-in along
+    which the tool also leaves the contour, the closing turn gets the sign that brings phi closest to one full turn.
 
     Parameters
     ----------
@@ -117,7 +116,7 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
     last : (k,) int
         Last alternating sign of a half turn in each path, from :func:`signs_of_reversals`; 0 if the path has none.
     half : float
-        Largest difference between half a turn and a closing turn without a sign, rad.
+        A closing turn has no sign if it differs from half a turn by less than this angle, rad.
     """
     sign = np.where(last, -last, np.where(np.abs(phi) > TURN, -1.0, 1.0) * np.copysign(1.0, phi))
     turned = np.where(np.abs(closing) > np.pi - half, closing + np.pi * (sign - np.copysign(1.0, closing)), closing)

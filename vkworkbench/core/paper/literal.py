@@ -29,7 +29,7 @@ class PaperVerdict:
     level : int
         Level (number of whole turns in phi) farthest from zero.
     phi_range : tuple of float
-        Lowest and highest phi, rad, counted from the first trajectory, without a closing turn.
+        Lowest and highest phi, rad, counted from the first trajectory, without the closing turn (last move to first).
     v : tuple of float
         V_k (the sum of the first k trajectories) at the last trajectory, in the working plane, mm.
     theta_range : tuple of float
@@ -56,7 +56,7 @@ class PaperVerdict:
 
 
 def paper_verdict(areas: Areas) -> PaperVerdict | None:
-    """Return the paper's verdict on the longest area; None if no move has a direction."""
+    """Return the strategy of the longest area by the paper's rule; None if no move has a direction."""
     if not len(areas):
         return None
     area = int(np.argmax(areas.area_length))

@@ -87,8 +87,9 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     vertices = _vertices(moves, winds)
     first, end = _disjoint(moves, *_returns(moves, *vertices, 1, OFF_ROUND))
     if (end - first).sum() < LOOPS.FOUND * len(vertices[0]):
-        # If a short move was dropped (MOVES.NOISE), two visits to the same point can be in different cells. Among three
-        # wider grids, shifted by a third of a cell each, at least one grid has both visits in the same cell.
+        # If a short move was dropped (MOVES.NOISE), the start and the end of a loop can be in different grid cells. In
+        # at least one of three wider grids, each shifted by a third of a cell, the start and the end are in the same
+        # cell.
         wider = [_returns(moves, *vertices, 2, OFF_ROUND + third / 3) for third in range(3)]
         first, end = _disjoint(moves, *np.concatenate([(first, end), *wider], axis=1))
     return first, end
@@ -128,12 +129,13 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches with a turn of +-2 pi between two visits to a grid cell, `width` * LOOPS.CLOSE wide."""
+    """Return the stretches that turn by +-2 pi and begin and end in one grid cell, `width` * LOOPS.CLOSE wide."""
     scaled = (x, y) if width == 1 else (x * (1 / width), y * (1 / width))
     column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in scaled)
-    # Visits to the same cell are found by hashing, which takes O(n); sorting all vertices would take O(n log n). The
-    # products overflow on purpose, and their high bits are the hash. The table has at least two places per vertex. In a
-    # smaller table, more cells share a hash and must be sorted. A larger table does not fit into the processor's cache.
+    # Vertices in the same grid cell are found by hashing, which takes O(n); sorting all vertices would take O(n log n).
+    # The products overflow on purpose, and their high bits are the hash. The hash table has at least two places per
+    # vertex. In a smaller table, more cells share a hash and must be sorted. A larger table does not fit into the
+    # processor's cache.
     bits = (2 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)
@@ -145,15 +147,16 @@ def _returns(
     table = np.empty(1 << bits, np.int32)
     table[cell] = order
     latest = table.take(cell)
-    one = np.flatnonzero(latest != order)  # every visit except for the last visit with the same hash
+    one = np.flatnonzero(latest != order)  # every vertex except for the last vertex with the same hash
     two, own = latest[one], cell[one]
     table[own] = one
-    last = table.take(own) == one  # the second-to-last visit with the same hash
+    last = table.take(own) == one  # the second-to-last vertex with the same hash
     table[own[~last]] = -1
     crowded = table.take(own) < 0
     if crowded.any():
-        # Most hashes have two visits, at the beginning and the end of a loop. If a hash has more than two visits, the
-        # visits are sorted by cell, because they belong to several cells or to a cell with more than two visits.
+        # Most hashes belong to two vertices, at the beginning and the end of a loop. If more than two vertices have one
+        # hash, the vertices are sorted by cell, because they are in several cells, or one cell has more than two
+        # vertices.
         among = np.zeros(len(cell), bool)
         among[one[crowded]] = among[two[crowded & last]] = True
         many = np.flatnonzero(among)
@@ -169,8 +172,9 @@ def _returns(
     long = end - first > 2
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
-    # A closing turn of half a turn has no sign. If a stretch begins at the tip of a lead-in, one loop and two loops
-    # could then both have a net turn of 2 pi, so stretches with a closing turn of half a turn are not loops.
+    # The turn from the last move of a stretch into its first has no sign if it is half a turn. If a stretch begins at
+    # the tip of a lead-in, one loop and two loops could then both have a net turn of 2 pi, so stretches with such a
+    # closing turn are not loops.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 

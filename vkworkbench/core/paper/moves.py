@@ -13,7 +13,7 @@ from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
-MEASURES, SPARE = 10, 10  # numbers of rows in a memory block: for measures of moves, and spare rows (see `_Steps`)
+MEASURES, SPARE = 10, 10  # rows in a block of memory: for measures of moves, and spare rows (see `_Steps`)
 
 
 @dataclass
@@ -117,7 +117,7 @@ def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
 
 
 class _Steps:
-    """The trajectories first .. end - 1 of a toolpath in the working plane: points (n+1,), differences and lengths (n,).
+    """The trajectories first .. end - 1 of a toolpath in the working plane: points (n+1,), steps and lengths (n,).
 
     All measures share one block of memory and are computed in place if possible. With many short-lived arrays, the
     system would map the same memory pages again and again, which takes more time than the arithmetic. The spare rows
@@ -137,7 +137,7 @@ class _Steps:
         np.sqrt(self.length, out=self.length)
 
     def spare_rows(self, count: int) -> np.ndarray:
-        """Return the rows for alpha, turning and phi of `count` moves, (3, count)."""
+        """Return the rows of the block of memory for alpha, turning and phi of `count` moves, (3, count)."""
         return self._block[7:MEASURES, :count]
 
     def goes_on(self, one: np.ndarray, two: np.ndarray) -> np.ndarray:
@@ -167,7 +167,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)
     turning[start] = 0.0
-    # A half turn has no sign, so `unsigned` gets its index, and phi counts only its difference from pi.
+    # A half turn has no sign, so `unsigned` contains its index, and phi includes only its difference from pi.
     unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
     reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
     turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
@@ -178,7 +178,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Unmark very short moves beside long moves, because rounding made the short moves and their direction is noise."""
+    """Exclude very short moves beside long moves: rounding made the short moves, so their direction is noise."""
     short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
@@ -203,7 +203,7 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         lifted = rapids[after] > rapids[before]
         steep = np.concatenate([[0], np.cumsum(np.where(planar | steps.rapid, 0.0, np.abs(steps.dz)))])
         height = np.abs(steps.z[after] - steps.z[before + 1])
-        drilled = steep[after] - steep[before] > height + MOVES.STILL  # a peck between two moves
+        drilled = steep[after] - steep[before] > height + MOVES.STILL  # the tool pecks between the two moves
         gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~steps.goes_on(before, after))]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 

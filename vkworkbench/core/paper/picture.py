@@ -123,7 +123,7 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     """Return the segments of a polyline that look different in a picture.
 
     The picture is divided into cells. A segment that joins the same two cells as an earlier segment is left out, so
-    that thousands of rows on a few hundred pixels become at most a few hundred segments.
+    that thousands of parallel passes on a few hundred pixels are drawn with at most a few hundred segments.
 
     Parameters
     ----------
@@ -131,7 +131,8 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     segments : (s,) int64
         Segments to choose from; segment i joins points i and i + 1, which are not NaN.
     cells : int
-        Width of the picture in cells, at most 1000 in the plane and 200 in space; halved while too many segments remain.
+        Width of the picture in cells, at most 1000 in the plane and 200 in space. The width is halved while too many
+        segments remain.
     most : int
         Largest number of segments to return. If `segments` contains no more than this number, all are returned.
 
@@ -165,7 +166,7 @@ def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
     areas : Areas
         At least one area.
     first, last : int
-        The trajectories that follow the strategy, last inclusive.
+        First and last trajectory (inclusive) that follow the strategy.
     around : bool
         Whether the strategy consists of loops. If so, the area with the largest absolute phi is returned; among areas
         with equal phi, the longest. For other strategies, the longest area is returned.

@@ -175,13 +175,13 @@ class Signature:
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
-        """Lowest and highest phi reached, rad, closing turns included."""
+        """Lowest and highest phi reached, rad, including the closing turn of a closed polyline."""
         total = self.total_turning
         return float(min(self.phi.min(initial=0.0), total)), float(max(self.phi.max(initial=0.0), total))
 
     @property
     def top_level(self) -> int:
-        """Level (number of whole turns in phi) farthest from zero, closing turns included."""
+        """Level (number of whole turns in phi) farthest from zero, including the closing turn of a closed polyline."""
         return top_level(self.phi_range)
 
     def gauss_map(self) -> tuple[np.ndarray, np.ndarray]:

@@ -2,8 +2,8 @@
 """Thresholds for moves, turns and loops. Most thresholds separate real differences from rounding.
 
 The comments have the form of the comments in recognition/thresholds.py: the unit up to the first full stop, the
-quantity that is compared, and the errors at other values. ``benchmarks/thresholds.py`` prints how the verdicts change
-with each threshold; its option ``--rules`` leaves out the learned model.
+quantity that is compared, and the errors at other values. ``benchmarks/thresholds.py`` prints how the recognised
+strategies change with each threshold; its option ``--rules`` leaves out the learned model.
 """
 
 
@@ -11,7 +11,7 @@ class MOVES:
     """Thresholds that decide which moves have a direction, and where an area ends."""
 
     #: mm. A coordinate that changes by no more than the threshold is constant. If the value is larger, helices lose
-    #: their moves and become drilling.
+    #: their moves and are recognised as drilling.
     STILL = 1e-3
     #: mm. A move that is shorter than the threshold, beside a long move, is rounding, and its direction is noise. If
     #: the value is larger, links between passes are dropped, and grids and offset loops lose their corners. If the
@@ -21,16 +21,17 @@ class MOVES:
     #: neighbouring trajectory's length. If the value is 1, finely sampled paths lose moves.
     NOISE_BESIDE = 0.05
     #: ratio of rise to run. Moves that are steeper than the threshold are plunges and lifts. If the value is lower,
-    #: helices and V-carving become plunges. If the value is higher, a pass over a steep wall and the link to the next
-    #: pass become one area.
+    #: helices and V-carving count as plunges. If the value is higher, a pass over a steep wall and the link to the next
+    #: pass are joined into one area.
     STEEP = 5.0
     #: cosine. Two moves have the same direction if the cosine of the angle between them is above the threshold. Moves
     #: in the same direction before and after a wall belong to one pass. A link in the air is straight: its first and
     #: its last move have the same direction. If the value is 1, links in the air count as cuts, and holes drilled with
     #: links at feed are recognised as an engraving.
     ONWARD = 0.98
-    #: slope. A vertical plane is the working plane if a move in it has a slope above the threshold against both axes.
-    #: If the value is 0, the signature of a polyline and the areas of the same toolpath can have different planes.
+    #: slope. A vertical plane is the working plane if a cutting move in the plane is neither nearly horizontal nor
+    #: nearly vertical: the ratio of the move's shorter to its longer component is above the threshold. If the value is
+    #: 0, the signature of a polyline and the areas of the same toolpath can have different planes.
     SLOPED = 0.05
 
 
@@ -45,8 +46,9 @@ class TURNS:
     #: 0.001 mm can change the sign. If the value is 0, zigzags with a contour are recognised as mixed or as profiles.
     #: If the value is larger, turns at sharp corners have no sign, and spirals are recognised as profiles.
     UNSIGNED = 0.01
-    #: share of all turning of the image of V_k. If at most this share is against the main sense of rotation, that
-    #: turning is rounding. The threshold only decides whether the paper's verdict has a sense of rotation.
+    #: share of all turning of the direction of V_k. Turning against the main sense of rotation is caused by rounding if
+    #: it has at most this share. The threshold only decides whether the verdict of the paper's rule has a sense of
+    #: rotation.
     BACK_AND_FORTH = 0.01
 
 
@@ -54,22 +56,25 @@ class LOOPS:
     """Thresholds that decide when the tool has returned to a point."""
 
     #: mm. A path whose end is within the threshold of its start is closed. If the value is 0, loops that rounding left
-    #: open become strokes. If the value is larger, the step from row to row or from turn to turn closes a loop.
+    #: open are recognised as strokes. If the value is larger, rows or turns of a spiral that are one step apart count
+    #: as closed loops.
     CLOSE = 0.03
     #: share of the side of a square with the area that the path encloses. A path is also closed if the gap between its
     #: end and its start is at most this share of the side. If the value is 0, contours with a gap between lead-in and
     #: lead-out stay open. If the value is 1, two neighbouring rows count as closed.
     GAP = 0.03
-    #: half-turns. An area contains no loop if the range of its phi is no larger than the threshold. If the value is
-    #: lower, the verdicts are the same, but the search for loops also takes time in every raster. If the value is
-    #: higher, the contour around a zigzag is not found.
+    #: half-turns. An area contains no loop if the range of its phi (sum of the turns) is no larger than the threshold.
+    #: If the value is lower, the recognised strategies are the same, but the search for loops also takes time in every
+    #: raster. If the value is higher, the contour around a zigzag is not found.
     HALF_TURNS = 1.05
-    #: share of an area's length. If closed loops have more than this share, the closing turn of the last loop counts in
-    #: the area's level (number of whole turns). If the value is 0, the closing turn of a single loop counts in the
-    #: level of a zigzag. If the value is 1, no closing turn counts in the level of linked loops.
+    #: share of an area's length. If closed loops have more than this share, the area's level (number of whole turns)
+    #: includes the closing turn of the last loop, from the loop's last move into its first. If the value is 0, the
+    #: level of a zigzag includes the closing turn of a single loop. If the value is 1, the level of linked loops
+    #: includes no closing turn.
     LOOPED = 0.5
-    #: share of the vertices. If a smaller share of the vertices is in closed loops, the search is repeated with wider
-    #: cells. If the value is 0, loops that close with a move as short as rounding are not found.
+    #: share of the vertices. If less than this share of the vertices is in closed loops, the search for loops is
+    #: repeated with wider grid cells. If the value is 0, loops that close with a move as short as rounding are not
+    #: found.
     FOUND = 0.75
     #: turns. A loop whose absolute turning is above the threshold can be a zigzag that returns to its start. If the
     #: value is higher, the contour that is cut after such a zigzag is not found.

@@ -1,178 +1,189 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Define every threshold of the recogniser, with its unit and with what goes wrong at higher and lower values.
 
-Each idea has one threshold, which is used everywhere. A comment begins with the unit, up to the first full stop. "X
-becomes Y" means that the rules propose the strategy Y for toolpaths of the strategy X. The toolpaths are synthetic, or
-operations made by FreeCAD with a known tool (benchmarks/make_operations.py). "In real programs" means programs that
-were not used to write the rules. `benchmarks/thresholds.py --rules OPERATIONS.jsonl.gz` changes each threshold and
-prints which proposals change. Without --rules, the command prints which final verdicts change. The final verdicts
-depend mostly on the learned trees.
+Each idea has one threshold, which is used everywhere. A comment begins with the unit, up to the first full stop. "X is
+recognised as Y" means that the rules propose the strategy Y for toolpaths of the strategy X. These toolpaths are
+synthetic, or operations made by FreeCAD with a known tool (benchmarks/make_operations.py). "In real programs" means
+programs that were not used to write the rules. `benchmarks/thresholds.py --rules OPERATIONS.jsonl.gz` changes each
+threshold and prints which proposals of the rules change. Without --rules, the command prints which recognised
+strategies change. The recognised strategies depend mostly on the learned decision trees.
 """
 
 
 class ROUNDING:
-    """Differences between equal lengths, places or areas, caused by rounding and sampling."""
+    """Largest differences that rounding and sampling cause between equal lengths, positions or areas."""
 
-    #: mm. Largest difference between two heights at one depth. With a higher value, all turns of a helix are at one
-    #: depth, and the helix becomes a profile.
+    #: mm. Two cuts are at one depth if their heights differ by at most the threshold. With a higher value, all turns of
+    #: a helix are at one depth, and the helix is recognised as a profile.
     HEIGHT = 0.02
-    #: mm. Largest distance between lines, or between sides of boxes, that count as one line. With a higher value, all
-    #: rows are on one line, and zigzags become engravings. With 0, some zigzags with rounded rows also become
-    #: engravings.
+    #: mm. Two lines, or two sides of bounding boxes, count as one line if their distance is at most the threshold. With
+    #: a higher value, all rows are on one line, and zigzags are recognised as engravings. With the value 0, some
+    #: zigzags with rounded rows are also recognised as engravings.
     PLACE = 0.02
-    #: mm. Largest difference between the boxes of equal rings, on every side. With a higher value, all offsets are
-    #: equal rings, and pockets become profiles.
+    #: mm. Largest difference between the bounding boxes of two equal rings, on every side. With a higher value, all
+    #: offsets are equal rings, and pockets are recognised as profiles.
     RING = 0.05
-    #: share of the ring's size. Additional difference that is allowed for large rings. With 1, all offsets are equal
-    #: rings.
+    #: share of the ring's size. Additional difference between the bounding boxes of equal rings, allowed for large
+    #: rings. With the value 1, all offsets are equal rings.
     RING_OF_SIZE = 0.002
-    #: share of the reach. Upper bound for the sum of RING and RING_OF_SIZE; the bound is at least RING. Without this
-    #: bound and without a tool, helices become profiles. With 1, contours in real programs become mixed.
+    #: share of the reach (largest distance between nested rings). Upper bound for the sum of RING and RING_OF_SIZE; the
+    #: bound is at least RING. Without the bound, helices of an unknown tool are recognised as profiles. With the value
+    #: 1, contours in real programs are recognised as mixed.
     RING_OF_REACH = 0.25
-    #: share of the larger area. Rings with one box whose areas differ by more than this share have different shapes.
-    #: With 0, the turns of a helix made of chords all have different shapes, and the helix becomes a profile.
+    #: share of the larger area. Two rings with the same bounding box have different shapes if their enclosed areas
+    #: differ by more than the threshold. With the value 0, the turns of a helix made of chords all have different
+    #: shapes, and the helix is recognised as a profile.
     AREA = 0.05
-    #: mm. Largest difference between the boxes, and between the lengths, of pieces with one footprint. With a higher
-    #: value, the contours of a waterline count as repetitions of one contour.
+    #: mm. Two pieces have the same footprint if their bounding boxes, and their lengths, differ by at most the
+    #: threshold. With a higher value, the contours of a waterline count as repetitions of one contour.
     GROUND = 0.1
 
 
 class NEGLIGIBLE:
     """Lengths that are too short to show a strategy, such as links between passes, leads and remnants."""
 
-    #: share of the length. If the open strokes have less than this share in total, they are links between loops. With a
-    #: higher value, bites count as links.
+    #: share of the section's length. If all open strokes together have less than this share, the strokes are links
+    #: between loops. With a higher value, bites of adaptive clearing count as links.
     LINKS = 0.02
-    #: share of the longest. Rings and strokes that are shorter than this share of the longest one are links and leads.
-    #: With a higher value, the inner offsets of a pocket are ignored.
+    #: share of the longest. A ring or stroke that is shorter than this share of the longest ring or stroke is a link or
+    #: a lead. With a higher value, the inner offsets of a pocket are ignored.
     PIECE = 0.02
-    #: share of the usual pass. Passes that are shorter than this share are links along the boundary. With a higher
-    #: value, a raster of a triangle loses its rows.
+    #: share of the usual pass. A pass that is shorter than this share of the usual pass is a link along the boundary.
+    #: With a higher value, a raster of a triangle loses its rows.
     PASS = 0.1
-    #: share of the length. Rows with less than this share in total are links. With 1, rows cut one way become offsets.
+    #: share of the section's length. Pieces that can contain rows are links if they have at most this share in total.
+    #: With the value 1, rows cut one way are recognised as offsets.
     ROWS = 0.1
-    #: share of the first family of rows. A second family of rows with less length is ignored. With 1, grids become
-    #: profiles.
+    #: share of the first family of rows. A second family of rows is ignored if its length is below this share of the
+    #: first family's length. With the value 1, grids are recognised as profiles.
     FAMILY = 0.1
 
 
 class MAJORITY:
-    """Minimum shares and counts."""
+    """Minimum shares of the length, and minimum numbers of repetitions."""
 
-    #: share. A property of more than this share of the length is a property of the whole (the only majority threshold).
+    #: share. A property of more than this share of the length is a property of the whole section (the only majority
+    #: threshold).
     SHARE = 0.5
     #: count. Minimum number of trochoids, bites, concentric arcs, lines of a grid, neighbouring strokes, or rows beside
-    #: loops. A smaller number can be chance. With 1, open profiles become zigzags. With a higher value, trochoids
-    #: become profiles.
+    #: loops. A smaller number can be caused by chance. With the value 1, open profiles are recognised as zigzags. With
+    #: a higher value, trochoids are recognised as profiles.
     REPETITIONS = 5
 
 
 class ENTRY:
-    """How a depth is entered."""
+    """Thresholds for how the tool enters the material at a depth."""
 
-    #: turns. A ramp that winds by more than this is a helix. With 0, every ramp is a helix. With a higher value,
-    #: helices of one turn become ramps.
+    #: turns. A ramp that turns by more than the threshold is a helix. With the value 0, every ramp is a helix. With a
+    #: higher value, helices of one turn are recognised as ramps.
     WINDS = 0.75
-    #: cosine. A ramp returns along the level lead-in before it if the cosine of their reversal is at least this value.
-    #: With 1, no ramp returns. With 0, a ramp around a corner also counts as returning if it ends where the lead-in
-    #: began.
+    #: cosine. A ramp returns along the level lead-in before it if the cosine of the angle between the ramp and the
+    #: reversed lead-in is above the threshold. With the value 1, no ramp returns. With the value 0, a ramp around a
+    #: corner also counts as returning if the ramp ends where the lead-in began.
     BACK = 0.95
-    #: share of its size. The path after an entry must extend beyond the entry's box by more than this share; otherwise
-    #: the descent is part of the pattern. With 0, helices that end with a level turn become profiles. With a higher
-    #: value, helices that enter a clearing become the operation.
+    #: share of the entry's size. The path after an entry must extend beyond the entry's bounding box by more than this
+    #: share; otherwise the descent is part of the pattern. With the value 0, helices that end with a level turn are
+    #: recognised as profiles. With a higher value, a helix that enters a pocket is recognised as the operation.
     LEADS = 0.25
-    #: share of a piece. A piece has a height if at least this share of it is level; the rest is ramps and tags. With a
-    #: lower value, plateaus of rows on surfaces count as heights. With 1, ramped contours have no height. No verdict
-    #: depends on this threshold.
+    #: share of a piece. A piece has a depth if more than this share of its length is level; the other moves are ramps,
+    #: or cuts over tags. With a lower value, plateaus of rows on surfaces count as depths. With the value 1, ramped
+    #: contours have no depth. No recognised strategy depends on this threshold.
     LEVEL = 0.75
-    #: share of a piece. Minimum share that is level at each depth, for a piece with several depths. With 0, every
-    #: plateau is a depth. With 1, rows with ramps to several depths in one stroke have no depth.
+    #: share of a piece. A piece with several depths must be level at each depth over at least this share of its length.
+    #: With the value 0, every plateau is a depth. With the value 1, rows that are cut at several depths without a lift
+    #: have no depth.
     ONE_OF_SEVERAL = 0.3
 
 
 class PIECES:
-    """How pieces are measured."""
+    """How the bounding boxes of pieces are measured."""
 
-    #: moves. Boxes are measured move by move if no piece has more moves than this, because numpy's overhead for each
-    #: piece is about the time for this number of moves. With 0, measuring squares takes longer. A higher value gains
-    #: nothing. No result depends on this threshold.
+    #: moves. Bounding boxes are measured move by move if no piece has more moves than the threshold, because numpy's
+    #: overhead for each piece is about the time for this number of moves. With the value 0, measuring squares takes
+    #: longer. A higher value does not save time. No result depends on this threshold.
     FEW = 8
 
 
 class PASSES:
-    """Whether passes go back and forth or around a contour."""
+    """Thresholds that decide whether passes go back and forth or around a contour."""
 
-    #: cosine. A move is part of a pass if the cosine of its angle to the axis of its stretch is larger than this value.
-    #: With 0, links are passes, and the profile of a comb becomes a zigzag. With 1, ramps cut back and forth become
-    #: strokes.
+    #: cosine. A move is part of a pass if the cosine of its angle to the axis of its stretch is larger than the
+    #: threshold. With the value 0, links are passes, and the profile of a comb is recognised as a zigzag. With the
+    #: value 1, ramps cut back and forth are recognised as strokes.
     ALONG = 0.9
-    #: count. A stretch with at most this number of passes is possibly a letter with slanted strokes, such as N, W or Z.
-    #: With 0, engraved names become zigzags.
+    #: count. A stretch with at most this number of passes can be an engraved letter with slanted strokes, such as N, W
+    #: or Z. With the value 0, engraved names are recognised as zigzags.
     OF_A_LETTER = 4
     #: cosine. A stretch of at most OF_A_LETTER passes counts as rows only if the cosine of the angle between its passes
-    #: and the axis is larger than this value. With 0, every short stretch counts. With 1, no short stretch counts, and
-    #: ramps cut back and forth become letters.
+    #: and the axis is larger than the threshold. With the value 0, every such stretch counts as rows. With the value 1,
+    #: no such stretch counts as rows, and ramps cut back and forth are recognised as letters.
     PARALLEL = 0.99
-    #: share of the length of the passes. Minimum share of a short stretch that is parallel to the axis according to
-    #: PARALLEL. With 0, a letter with one upright stroke becomes a zigzag. With 1, rows whose links run along them
-    #: become letters.
+    #: share of the length of the passes. A stretch of at most OF_A_LETTER passes counts as rows only if more than this
+    #: share of its passes is parallel to the axis, according to PARALLEL. With the value 0, a letter with one upright
+    #: stroke is recognised as a zigzag. With the value 1, rows with links nearly parallel to the rows are recognised as
+    #: letters.
     SHARE = 0.8
     #: share of the length. A stretch goes back and forth if more than this share of its passes lies between half-turns
-    #: of opposite sign. With 1, zigzags with a piece of the boundary become mixed.
+    #: of opposite sign. With the value 1, zigzags with a piece of the boundary are recognised as mixed.
     ALTERNATING = 0.3
-    #: ratio. Minimum ratio between the length of passes between half-turns of opposite sign and the length of passes
-    #: between half-turns of equal sign. With a lower value, grids become mixed.
+    #: ratio. In a zigzag, the passes between half-turns of opposite sign are longer in total, by more than this factor,
+    #: than the passes between half-turns of equal sign. With a lower value, grids are recognised as mixed.
     MORE = 2
-    #: share of the length. The same minimum share as ALTERNATING, for closed loops. With 0, the finishing pass of a
-    #: pocket becomes a zigzag. With 1, zigzags that end at their start become loops.
+    #: share of the length. A closed loop goes back and forth if more than this share of its length lies between
+    #: half-turns of opposite sign. With the value 0, the finishing pass of a pocket is recognised as a zigzag. With the
+    #: value 1, zigzags that end at their start are recognised as loops.
     ALTERNATING_LOOP = 0.55
 
 
 class WINDINGS:
     """Stretches that go around several times without closing."""
 
-    #: turns. A stretch with a net turn of more than this is a winding. With a lower value, letters become windings.
-    #: Without a limit, spirals become profiles.
+    #: turns. A stretch whose net turn is larger than the threshold is a winding. With a lower value, letters are
+    #: recognised as windings. With an infinite value, spirals are recognised as profiles.
     TURN = 1.2
-    #: turns. The rest of a winding after its last full turn counts as a full turn if it turns by more than this. With
-    #: 0, round pockets cut in a spiral of few turns become adaptive. With 1, no turns of windings count as trochoids.
+    #: turns. The rest of a winding after its last full turn counts as a full turn if the rest turns by more than the
+    #: threshold. With the value 0, round pockets cut in a spiral of few turns are recognised as adaptive clearing. With
+    #: the value 1, no turns of windings count as trochoids.
     LAST_TURN = 0.75
-    #: share of the step. Turns whose distances differ by less than this share are evenly spaced, as in a spiral.
-    #: Constant engagement needs growing steps instead. With 0, spirals with a helical entry become adaptive. With a
-    #: higher value, adaptive clearing of round pockets becomes a spiral.
+    #: share of the step. The turns of a winding are evenly spaced, as in a spiral, if their steps differ from the usual
+    #: step by less than this share. Adaptive clearing with constant engagement needs growing steps instead. With the
+    #: value 0, spirals with a helical entry are recognised as adaptive clearing. With a higher value, adaptive clearing
+    #: of round pockets is recognised as a spiral.
     EQUAL = 0.05
-    #: turns. A winding is wavy if its turns against its sense add up to more than this. A stroke is not a bite if its
-    #: turns against its sense add up to more than this. With 0, smoothly linked offsets and sampled spirals become
-    #: profiles.
+    #: turns. A winding is wavy if its turns against its sense add up to more than the threshold. A stroke is not a bite
+    #: if its turns against its sense add up to more than the threshold. With the value 0, smoothly linked offsets and
+    #: sampled spirals are recognised as profiles.
     WAVY_TURN = 0.5
-    #: turns. A winding is possibly the passes of a lattice if its turns against its sense add up to more than this.
-    #: With a higher value, grids become mixed.
+    #: turns. A winding can consist of passes of a lattice if its turns against its sense add up to more than the
+    #: threshold. With a higher value, grids are recognised as mixed.
     LATTICE_TURN = 0.75
-    #: turns. A ring steps aside to the next loop if its turns against the sense of its winding add up to more than
-    #: this. With a higher value, smoothly linked offsets become spirals. With 0, spirals in real programs become linked
-    #: offsets.
+    #: turns. A ring contains a step to the next loop if the ring's turns against the sense of its winding add up to
+    #: more than the threshold. With a higher value, smoothly linked offsets are recognised as spirals. With the value
+    #: 0, spirals in real programs are recognised as linked offsets.
     STEP_ASIDE = 0.075
-    #: rad mm. Bends are ignored if the product of angle and length is smaller than this value, because rounding to 0.01
-    #: mm can cause them. With 0, smoothly linked offsets become adaptive. With a higher value, smoothly linked offsets
-    #: become spirals.
+    #: rad mm. Bends are ignored if the product of angle and length is smaller than the threshold, because rounding to
+    #: 0.01 mm can cause them. With the value 0, smoothly linked offsets are recognised as adaptive clearing. With a
+    #: higher value, smoothly linked offsets are recognised as spirals.
     ROUGH = 0.05
-    #: places. Minimum number of corrections of the direction in each turn of adaptive clearing, which corrects its
-    #: direction to keep the engagement constant. With a lower value, smoothly linked offsets become adaptive. With a
-    #: higher value, adaptive clearing by FreeCAD becomes contour-parallel.
+    #: places. Minimum number of corrections of the direction in each turn of adaptive clearing. Adaptive clearing
+    #: corrects its direction to keep the engagement constant. With a lower value, smoothly linked offsets are
+    #: recognised as adaptive clearing. With a higher value, adaptive clearing by FreeCAD is recognised as
+    #: contour-parallel.
     CORRECTIONS = 8
     #: rad. Largest mean correction of the direction in adaptive clearing, 10 degrees. With a higher value, links to the
     #: next loop count as corrections.
     CORRECTION = 0.17453292519943295
-    #: rad. Turns by more than this angle, 30 degrees, are corners. With 0, spirals consist only of corners and become
-    #: contour-parallel. With pi, polygonal windings become spirals.
+    #: rad. Turns by more than 30 degrees are corners. With the value 0, spirals consist only of corners and are
+    #: recognised as contour-parallel. With the value pi, polygonal windings are recognised as spirals.
     CORNER = 0.5235987755982988
 
 
 class SPURS:
-    """Spurs: moves out and back on the same line."""
+    """Spurs: detours that go out and back on the same line."""
 
-    #: share of the area's length. Spurs with less than this share in total are reliefs in corners and are removed. With
-    #: 0, contours with such corners become adaptive. With 1, passes that are cut twice are lost.
+    #: share of the area's length. Spurs that have less than this share in total are reliefs in corners and are removed.
+    #: With the value 0, contours with relieved corners are recognised as adaptive clearing. With the value 1, passes
+    #: that are cut twice are lost.
     LENGTH = 0.2
 
 
@@ -180,498 +191,550 @@ class TAGS:
     """Contours that the tool cuts with lifts over holding tags."""
 
     #: cosine. A contour continues after a gap if the cosine of the angle between its direction and the gap is larger
-    #: than this value. With 1, circles with tags become strokes. With 0, strokes around a corner also continue one
-    #: another if all strokes together close a contour.
+    #: than the threshold. With the value 1, circles with tags are recognised as strokes. With the value 0, a stroke
+    #: also continues after a corner, if all strokes together close a contour.
     AHEAD = 0.9
 
 
 class STROKES:
     """Strokes: open pieces that neither wind nor go back and forth."""
 
-    #: share of the strokes. If the number of different footprints is less than this share of the number of strokes, the
-    #: strokes are contours repeated at other depths. With 0, repeated contours in real programs become engravings.
+    #: share of the number of strokes. If the number of different footprints is below this share of the number of
+    #: strokes, the strokes are contours repeated at other depths. With the value 0, repeated contours in real programs
+    #: are recognised as engravings.
     DISTINCT = 0.67
-    #: share of the part's width plus height. If the usual stroke is longer than this share, the strokes are contours.
-    #: With 0, carved strokes become contours. With a higher value, the outlines that adaptive clearing leaves on thin
-    #: stock become engravings.
+    #: share of the part's width plus height. If the usual stroke is longer than this share of the part's width plus
+    #: height, the strokes are contours. With the value 0, carved strokes are recognised as contours. With a higher
+    #: value, the outlines that adaptive clearing leaves on thin stock are recognised as engravings.
     LONG = 0.35
-    #: share of the length. Strokes are carved by a V-bit, which rises in corners, if they climb to their ends over more
-    #: than this share. With 0, contours with a ramp at the end count as carved. With 1, long V-carved strokes become
-    #: contours.
+    #: share of the length. Strokes are carved by a V-bit, which rises in corners, if the climbs at the ends of the
+    #: strokes have more than this share of the length. With the value 0, contours with a ramp at the end count as
+    #: carved. With the value 1, long V-carved strokes are recognised as contours.
     RISING = 0.05
 
 
 class LETTERS:
     """Closed contours that are letters and not outlines of parts and holes."""
 
-    #: mm. Contours have different shapes if their boxes or lengths differ by more than about this.
+    #: mm. Two contours have different shapes if the sides of their bounding boxes, or quarters of their lengths, differ
+    #: by more than about the threshold.
     SHAPE = 0.2
     #: count. Minimum number of different shapes among contours that are letters. Contours with fewer shapes are
     #: outlines of parts.
     COUNT = 8
-    #: depths. Largest number of depths of engraved letters. With a higher value, pockets and parts of many shapes in
-    #: real programs become letters.
+    #: depths. Engraved letters are cut at no more than this number of depths. With a higher value, pockets and parts of
+    #: many shapes in real programs are recognised as letters.
     DEPTHS = 3
-    #: share of the ground. Contours are letters only if their median size is smaller than this share of the whole. With
-    #: 1, the contours of plates become letters.
+    #: share of the part's size. Contours are letters only if their median size is smaller than this share of the part's
+    #: longer side. With the value 1, the outlines of plates are recognised as letters.
     SMALL = 0.15
 
 
 class NESTS:
     """Rings that lie inside one another."""
 
-    #: mm. Minimum distance between neighbouring rings. With a higher value, no rings are nested, and pockets become
-    #: profiles.
+    #: mm. Minimum distance between neighbouring rings. With a higher value, no rings are nested, and pockets are
+    #: recognised as profiles.
     APART = 0.01
     #: tool diameters. Largest distance between rings, rows or strokes that leave no uncut ground between them. With a
-    #: lower value, pockets become profiles. With a higher value, the contours of washers, and of chamfered and engraved
-    #: edges, become pockets.
+    #: lower value, pockets are recognised as profiles. With a higher value, the contours of washers, and of chamfered
+    #: and engraved edges, are recognised as pockets.
     REACH = 1.2
-    #: count. Largest number of sides that the boxes of two offsets have in common, because a pocket in a corner of the
-    #: part is open at two sides. With 0, open pockets become profiles.
+    #: count. Largest number of sides that the bounding boxes of two offsets can share. A pocket in a corner of the part
+    #: is open at two sides, which all offsets share. With the value 0, open pockets are recognised as profiles.
     SHARED = 2
-    #: rings. Number of later rings that each ring is compared with. With 1, pockets with islands become profiles if
-    #: rings of boundary and island are cut alternately. Comparing more rings takes time without gain.
+    #: rings. Number of later rings that each ring is compared with. With the value 1, pockets with islands are
+    #: recognised as profiles if rings of boundary and island are cut alternately. Comparing more rings takes time and
+    #: does not improve the recognition.
     NEXT = 3
-    #: share of the mean. Largest difference between the shifts of the four sides that count as equal, for wavy rings
-    #: and for rings of opposite sense. With a higher value, passes of a lattice that wind by chance are nested.
+    #: share of the mean. The shifts of the four sides of a bounding box count as equal if they differ by at most this
+    #: share of their mean. With a higher value, passes of a lattice that wind by chance are nested.
     EQUAL_SIDES = 0.1
-    #: ratio to the distance. Largest ratio of the difference in length between a ring and its inner offset to their
-    #: distance. The ratio is 6.3 for circles and 8 for squares, and larger only with bays. With a higher value,
-    #: engraved lines around a letter become its offset.
+    #: ratio to the distance. Largest ratio of two quantities: the difference in length between a ring and its inner
+    #: offset, and the distance between the ring and the offset. The ratio is 6.3 for circles and 8 for squares, and
+    #: larger only with bays. With a higher value, engraved lines around a letter are recognised as its offset.
     LONGER = 12.0
-    #: share of the longer loop. Minimum length of the shorter loop if bays close between two offsets. With 0, the
-    #: lengths are not compared. With 1, pockets shaped like combs have no stepover.
+    #: share of the longer loop. Minimum length of the shorter of two offsets whose lengths differ by more than LONGER
+    #: allows, because bays close between the offsets. With the value 0, the lengths of two offsets are not compared.
+    #: With the value 1, pockets shaped like combs have no stepover.
     LENGTH_ALIKE = 0.6
-    #: share of the distance. Minimum shift of each side of an offset's box. With 0, ramped profiles become pockets.
-    #: With 1, waterlines become contour-parallel.
+    #: share of the distance. Minimum shift of each side of an offset's bounding box. With the value 0, ramped profiles
+    #: are recognised as pockets. With the value 1, waterlines are recognised as contour-parallel.
     SIDE_AT_LEAST = 0.5
-    #: ratio to the distance. Upper bound for the smallest shift of a side of an offset's box. With a lower value, no
-    #: rings are nested. With a higher value, grids are nested rings.
+    #: ratio to the distance. Upper bound for the smallest of the shifts of the four sides of an offset's bounding box.
+    #: With a lower value, no rings are nested. With a higher value, grids are nested rings.
     SIDE_AT_MOST = 1.5
-    #: share of the ring's size. Largest step between two nested rings. With 0, no rings are nested. With a higher
-    #: value, contours of three sizes at different depths become a pocket.
+    #: share of the ring's size. Largest step between two nested rings. With the value 0, no rings are nested. With a
+    #: higher value, contours of three sizes at different depths are recognised as a pocket.
     LARGEST_STEP = 0.3
-    #: share of the step. Largest difference between two steps that count as equal. With 0, no three rings are nested
-    #: with equal steps, and pockets without a tool become profiles.
+    #: share of the step. Two steps between nested rings count as equal if they differ by less than this share. With the
+    #: value 0, no three rings are nested with equal steps, and pockets of an unknown tool are recognised as profiles.
     SIMILAR_STEP = 0.3
-    #: share of the largest ring. Largest usual step in a nest if the tool is unknown. With 0, pockets become profiles.
-    #: With a higher value, waterlines become pockets.
+    #: share of the largest ring. Largest usual step in a nest if the tool is unknown. With the value 0, pockets are
+    #: recognised as profiles. With a higher value, waterlines are recognised as pockets.
     TOO_LARGE = 0.2
-    #: share of the largest ring. If the tool is unknown and there are fewer than three nested rings, rings at a
-    #: distance of more than this share are separate contours. With 0, narrow pockets around an island are separate
-    #: contours. With a higher value, engraved contours become pockets.
+    #: share of the largest ring. If the tool is unknown and no three rings are nested with equal steps, rings whose
+    #: distance is larger than this share of the largest ring are separate contours. With the value 0, narrow pockets
+    #: around an island are separate contours. With a higher value, engraved contours are recognised as pockets.
     REACH_OF_SIZE = 0.05
-    #: steps. Largest distance between rings of one nest if the tool is unknown. With 1, linked offsets and spirals lose
-    #: every other ring.
+    #: steps. Largest distance between rings of one nest if the tool is unknown. With the value 1, linked offsets and
+    #: spirals lose every other ring.
     STEPS = 2
 
 
 class RINGS:
     """Shapes of rings, and the shares of rings that decide the strategy."""
 
-    #: isoperimetric quotient 4 pi A / P^2. A ring is a circle if its quotient is larger than this value; the quotient
-    #: of a square is 0.79. With a lower value, ramped profiles become helices. With 1, helices that are made of chords
-    #: become profiles.
+    #: isoperimetric quotient 4 pi A / P^2. A ring is a circle if its isoperimetric quotient is larger than the
+    #: threshold; the quotient of a square is 0.79. With a lower value, ramped profiles are recognised as helices. With
+    #: the value 1, helices that are made of chords are recognised as profiles.
     ROUND = 0.93
     #: share of the drop. A ring descends steadily if its mean height differs from the middle of its drop by less than
-    #: this share. With 0, no helix descends steadily. With a higher value and a tool, profiles with a ramp in their
-    #: first moves become helices.
+    #: this share of the drop. With the value 0, no helix descends steadily. With a higher value, profiles with a ramp
+    #: in their first moves (cut by a known tool) are recognised as helices.
     STEADY = 0.2
-    #: share of the rings' length. Rings are a helix only if circles have more than this share. With a lower value,
-    #: profiles with bores become helices if both are ramped.
+    #: share of the rings' length. Rings are a helix only if circles have more than this share of the rings' length.
+    #: With a lower value, profiles with bores are recognised as helices if both are ramped.
     ALL_ROUND = 0.85
-    #: share of the zigzag's box. A loop surrounds a zigzag if no side of the loop's box lies farther inside the
-    #: zigzag's box than this share. With 0, contours near a zigzag count as parts of the zigzag. With 1, the small
-    #: loops between the rows of a zigzag count as contours.
+    #: share of the zigzag's box. A loop surrounds a zigzag if no side of the loop's bounding box lies inside the
+    #: zigzag's bounding box by more than this share of its size. With the value 0, contours near a zigzag count as
+    #: parts of the zigzag. With the value 1, the small loops between the rows of a zigzag count as contours.
     SURROUNDS = 0.15
     #: share of the length, and of the rings' length. Rings decide the strategy as offsets if rings have more than this
-    #: share of the length, and nested rings more than this share of the rings. With 0, clipped spirals become adaptive.
-    #: With 1, linked offsets become spirals.
+    #: share of the section's length, and nested rings have more than this share of the rings' length. With the value 0,
+    #: spirals that the boundary cuts open are recognised as adaptive clearing. With the value 1, linked offsets are
+    #: recognised as spirals.
     OFFSETS = 0.7
-    #: share of the length. Rings with more than this share decide the strategy if there are hardly any rows; rows with
-    #: at least this share decide if there are hardly any rings. With 0, strokes become zigzags. With 1, waterlines and
-    #: helices become profiles.
+    #: share of the length. Rings with more than this share of the section's length decide the strategy if there are
+    #: hardly any rows. Rows with at least this share decide the strategy if there are hardly any rings. With the value
+    #: 0, strokes are recognised as zigzags. With the value 1, waterlines and helices are recognised as profiles.
     ALONE = 0.35
-    #: share of the length. Rows with less than this share are ignored beside rings. With a higher value, rows with a
-    #: contour around them become a profile. With 0, profiles in real programs become mixed.
+    #: share of the length. Rows that have less than this share of the section's length are ignored beside rings. With a
+    #: higher value, rows with a contour around them are recognised as a profile. With the value 0, profiles in real
+    #: programs are recognised as mixed.
     ROWS_BESIDE = 0.15
-    #: share of the length. Rings with less than this share are ignored beside rows. With 0, every closed link of a
-    #: zigzag counts as a contour.
+    #: share of the length. Rings that have less than this share of the section's length are ignored beside rows. With
+    #: the value 0, every closed link of a zigzag counts as a contour.
     AMONG_ROWS = 0.1
-    #: count. Number of the largest rings at each depth that are compared with the rows as walls of pockets. With 1,
-    #: pockets beside the largest one become mixed. Comparing more rings takes longer.
+    #: count. Number of the largest rings at each depth that are compared with the rows as walls of pockets. With the
+    #: value 1, rows in several pockets, each with a contour, are recognised as mixed. Comparing more rings takes
+    #: longer.
     WALLS = 8
-    #: share of the steps. A nest is cut from inside to outside, or from outside to inside, if more than this share of
-    #: its steps has this direction. Only then is climb or conventional milling reported. No verdict depends on this
-    #: threshold.
+    #: share of the steps. Nested rings are cut from inside to outside, or from outside to inside, if more than this
+    #: share of the steps between the rings has this direction. Climb or conventional milling is reported only for such
+    #: rings. No recognised strategy depends on this threshold.
     ONE_WAY = 0.75
 
 
 class WATERLINES:
     """Waterlines: contours whose shape changes with the depth."""
 
-    #: depths. Minimum number of depths of a waterline. With a much higher value, waterlines become profiles.
+    #: depths. Minimum number of depths of a waterline. With a much higher value, waterlines are recognised as profiles.
     DEPTHS = 3
-    #: tool diameters. Minimum height difference between the deepest and the highest ring of a waterline. With 0,
-    #: deburred edges become pockets. With a higher value, waterlines become profiles.
+    #: tool diameters. Minimum height difference between the deepest and the highest ring of a waterline. With the value
+    #: 0, deburred edges are recognised as pockets. With a higher value, waterlines are recognised as profiles.
     RANGE = 0.35
-    #: share of the rings' length. Minimum share of rings that have a ring of another shape below or above. With 0,
-    #: engraved contours become waterlines. With 1, waterlines become profiles.
+    #: share of the rings' length. Minimum share of rings that have a ring of another shape above or below, in a
+    #: waterline. With the value 0, engraved contours are recognised as waterlines. With the value 1, waterlines are
+    #: recognised as profiles.
     DEEPER = 0.3
     #: ratio of spreads. If the spread of the steps in the plane divided by the spread of the steps in depth is smaller
-    #: than this value, the rings are evenly spaced in the plane and not in depth, like circles on a dome. With 0,
-    #: circles on a dome become waterlines. With a higher value, waterlines become contour-parallel.
+    #: than the threshold, the rings are evenly spaced in the plane and not in depth, like circles on a dome. With the
+    #: value 0, circles on a dome are recognised as waterlines. With a higher value, waterlines are recognised as
+    #: contour-parallel.
     EVENER = 0.5
-    #: relative spread. Value that is added to both relative spreads, because smaller spreads are rounding. With 0, a
-    #: waterline that is rotated or scaled becomes contour-parallel.
+    #: relative spread. The value is added to the relative spreads of the steps in the plane and in depth, because
+    #: smaller spreads are rounding. With the value 0, a waterline that is rotated or scaled is recognised as
+    #: contour-parallel.
     ROUNDING = 0.01
-    #: depths. Minimum number of depths of open contours for a waterline. With a lower value, letters and open profiles
-    #: become waterlines. With a higher value, waterlines cut open by the stock become engravings.
+    #: depths. Open contours are a waterline only if they have at least this number of depths. With a lower value,
+    #: letters and open profiles are recognised as waterlines. With a higher value, waterlines cut open by the stock are
+    #: recognised as engravings.
     OPEN_DEPTHS = 4
-    #: share of the length. Open contours are not a waterline if sloped strokes have more than this share. With 0, no
-    #: open contours are a waterline. With 1, V-carving in real programs becomes a waterline.
+    #: share of the length. Open contours are not a waterline if sloped strokes have more than this share of the
+    #: section's length. With the value 0, no open contours are a waterline. With the value 1, V-carving in real
+    #: programs is recognised as a waterline.
     SLOPED = 0.2
 
 
 class TROCHOIDS:
     """Trochoids: loops of one size that advance along a path."""
 
-    #: share of the rings' length. Minimum share of loops that advance along a path. With 0, overlapping contours become
-    #: trochoids. With a higher value, adaptive clearing without lifts becomes a profile.
+    #: share of the rings' length. Rings are trochoids if more than this share of their length is in loops that advance
+    #: along a path. With the value 0, overlapping contours are recognised as trochoids. With a higher value, adaptive
+    #: clearing without lifts is recognised as a profile.
     SHARE = 0.4
-    #: share of the range. From one trochoid to the next, the sides of the box shift inwards and outwards. The mean
-    #: shift must be less than this share of the range of the shifts. With 0, no loops are trochoids.
+    #: share of the range. From one trochoid to the next, some sides of the bounding box shift inwards, and other sides
+    #: outwards. The mean shift of the four sides must be less than this share of the range of the shifts. With the
+    #: value 0, no loops are trochoids.
     SWAY = 0.35
-    #: share of the smaller loop. Upper bound for the range of the sides' shifts from loop to loop. With 0, no loops
-    #: advance, and trochoids become profiles.
+    #: share of the smaller loop. From one trochoid to the next, the range of the shifts of the bounding box's sides
+    #: must be below this share of the smaller loop. With the value 0, no loops advance along a path, and trochoids are
+    #: recognised as profiles.
     STEP = 1.2
-    #: share of the larger loop. Minimum size of the smaller of two trochoids. With 1, no two loops have the same size.
+    #: share of the larger loop. Two loops are trochoids only if the smaller loop's size is above this share of the
+    #: larger loop's size. With the value 1, no loops are trochoids.
     SIZE = 0.65
 
 
 class ROWS:
     """Parallel passes side by side."""
 
-    #: directions in half a turn. Number of classes of directions in the search for the densest direction. With 1, grids
-    #: have no axis.
+    #: directions in half a turn. Number of classes of directions in the search for the densest direction. With the
+    #: value 1, grids have no axis.
     DIRECTIONS = 64
-    #: values. Sample size for medians, and for the lines of a family. With 1, zigzags become engravings. A larger
-    #: sample takes time without gain.
+    #: values. Number of values from which medians are computed, and number of passes from which the lines of a family
+    #: of rows are found. With the value 1, zigzags are recognised as engravings. A larger sample takes time and does
+    #: not improve the recognition.
     SAMPLE = 1000
-    #: rad. Largest angle between the moves of a row and the axis of the rows. With 0, rows of sampled moves break up.
-    #: With a higher value, bites become rows.
+    #: rad. Largest angle between the moves of a row and the axis of the rows. With the value 0, rows of sampled moves
+    #: break up. With a higher value, bites are recognised as rows.
     ALIGNED = 0.05
-    #: share of the length. If less than this share is parallel to the mean axis, there are several axes. With 0, a grid
-    #: has a single axis, between its two directions.
+    #: share of the length. If less than this share of the moves' length is parallel to the mean axis, the moves have
+    #: several axes. With the value 0, a grid has a single axis, between its two directions.
     ONE_AXIS = 0.8
-    #: share of the length. If less than this share is parallel to the axis, links have rotated the axis, and the axis
-    #: is computed again without the links. With 0, zigzags along a slanting boundary become profiles.
+    #: share of the length. If less than this share of the moves' length is parallel to the axis, links have rotated the
+    #: axis, and the axis is computed again without the links. With the value 0, zigzags along a slanting boundary are
+    #: recognised as profiles.
     ALL_ALIGNED = 0.98
-    #: usual steps. Largest distance between neighbouring rows. With a lower value, no rows are neighbours, and rows cut
-    #: one way become offsets.
+    #: usual steps. Largest distance between neighbouring rows. With a lower value, no rows have a neighbour, and rows
+    #: cut one way are recognised as offsets.
     MAX_DISTANCE = 1.6
-    #: usual steps. Minimum distance between evenly spaced rows. With a higher value, no steps are even, and rows cut
-    #: one way become offsets.
+    #: usual steps. Minimum distance between evenly spaced rows. With a higher value, no rows are evenly spaced, and
+    #: rows cut one way are recognised as offsets.
     MIN_DISTANCE = 0.6
-    #: share. The period is the shortest distance between lines whose frequency is more than this share of the largest
-    #: frequency. With 1, twice the period is sometimes chosen. With 0, a distance that occurs by chance is chosen.
+    #: share. The period of a family of rows is the shortest distance between lines whose frequency is more than this
+    #: share of the largest frequency. With the value 1, twice the true period is sometimes chosen. With the value 0, a
+    #: distance that occurs by chance is chosen as the period.
     PITCH_FREQUENCY = 0.8
-    #: share of the pitch. Gaps are equal if they differ by less than this share. With 0, zigzags that end at their
-    #: start count as walls of teeth. With a higher value, lattices with nearly even lines are given half their
-    #: stepover.
+    #: share of the pitch. Gaps between lines are equal if they differ by less than this share of the pitch. With the
+    #: value 0, zigzags that end at their start count as walls of teeth. With a higher value, only half the stepover is
+    #: found for lattices with nearly evenly spaced lines.
     SAME_GAP = 0.02
-    #: lines. Largest number of lines in a period. With 1, all lines are evenly spaced, and zigzags that end at their
-    #: start count as walls of teeth. A higher value gains nothing.
+    #: lines. Largest number of lines in a period. With the value 1, all lines are evenly spaced, and zigzags that end
+    #: at their start count as walls of teeth. A higher value gains nothing.
     MAX_PERIOD = 12
-    #: pitches. Largest distance between lines in the search for the period. The pitch is tiny if two sets of lines
-    #: nearly coincide. With a lower value, the stepovers of lattices are wrong. With a higher value, distances between
-    #: distant pockets take memory.
+    #: pitches. Largest distance between lines in the search for the period. The pitch is very small if two sets of
+    #: lines nearly coincide. With a lower value, the stepovers of lattices are wrong. With a higher value, distances
+    #: between the lines of different pockets need much memory.
     FARTHEST = 1000
-    #: share of the length. Passes are not rows if passes with a neighbour have less than this share. With 0, adaptive
-    #: clearing and waterlines have rows. With 1, rows cut one way become offsets.
+    #: share of the length. Passes are not rows if the passes with a neighbour have no more than this share of the
+    #: length. With the value 0, adaptive clearing and waterlines have rows. With the value 1, rows cut one way are
+    #: recognised as offsets.
     WITH_NEIGHBOUR = 0.25
-    #: steps. Minimum length of a row. With 0, the sides of small contours count as rows. With a higher value, grids
-    #: become engravings.
+    #: steps. Minimum length of a row. With the value 0, the sides of small contours count as rows. With a higher value,
+    #: grids are recognised as engravings.
     MIN_LENGTH = 2.5
-    #: steps. Minimum length of a row if there are many evenly spaced rows. With a higher value, zigzags in narrow teeth
-    #: become profiles.
+    #: steps. Minimum length of a row in a family of many evenly spaced rows (see MANY and EVEN). With a higher value,
+    #: zigzags in narrow teeth are recognised as profiles.
     MIN_LENGTH_IF_MANY = 1.5
-    #: lines. Minimum number of rows that counts as many rows. With a much higher value, zigzags in narrow teeth become
-    #: profiles.
+    #: lines. Rows on at least this number of lines are many rows. With a much higher value, zigzags in narrow teeth are
+    #: recognised as profiles.
     MANY = 10
-    #: share of the steps. Many rows are evenly spaced if more than this share of the steps is close to the usual step.
-    #: With 1, zigzags in narrow teeth become profiles.
+    #: share of the steps. Rows are evenly spaced if more than this share of their steps is close to the usual step.
+    #: With the value 1, zigzags in narrow teeth are recognised as profiles.
     EVEN = 0.8
-    #: tool diameters. Fewer than MANY passes at a smaller distance are repetitions of one pass. With 0, ramped profiles
-    #: become mixed if the tool is known.
+    #: tool diameters. Passes on fewer than MANY lines are repetitions of one pass if their step is below the threshold.
+    #: With the value 0, ramped profiles are recognised as mixed if the tool is known.
     RETRACED = 0.03
-    #: mm. Smallest distance between rows. With a higher value, zigzags with rows 0.001 mm apart become profiles. With
-    #: 0, rounding of slanted lines divides a row that is interrupted by islands into several rows.
+    #: mm. Smallest distance between rows. With a higher value, zigzags with rows 0.001 mm apart are recognised as
+    #: profiles. With the value 0, rounding of slanted lines divides a row that is interrupted by islands into several
+    #: rows.
     FINEST = 5e-4
-    #: pitches. If the period of a closed contour's passes is larger than this value, the passes are the walls of teeth.
-    #: With a lower value, zigzags that end at their start become profiles. With a higher value, combs become zigzags.
+    #: pitches. If the period of a closed contour's passes is larger than the threshold, the passes are the walls of
+    #: teeth. With a lower value, zigzags that end at their start are recognised as profiles. With a higher value, combs
+    #: are recognised as zigzags.
     WALLS = 1.05
-    #: steps. Largest distance, in periods, between consecutive rows that are farther apart than the tool's reach,
-    #: because rows cut later lie between them. With 1, rows that are cut in two rounds become engravings. With a higher
-    #: value, passes along both sides of uncut ground become rows.
+    #: steps. Rows that are cut consecutively can be farther apart than the tool reaches, because rows cut later lie
+    #: between them. The threshold is the largest distance between such rows, as a multiple of the period. With the
+    #: value 1, rows that are cut in two rounds are recognised as engravings. With a higher value, passes along both
+    #: sides of uncut ground are recognised as rows.
     LEFT_BETWEEN = 3
-    #: share of the length. Two families of rows are a grid if their share is larger than this value. With 0, waterlines
-    #: and adaptive clearing become grids. With 1, grids become engravings.
+    #: share of the length. Two families of rows are a grid if both families together have more than this share of the
+    #: length. With the value 0, waterlines and adaptive clearing are recognised as grids. With the value 1, grids are
+    #: recognised as engravings.
     GRID = 0.85
-    #: count. Number of passes of each family that are tested for crossing. With 1, grids become engravings. Testing
-    #: more passes takes longer.
+    #: count. Number of passes of each family of rows that are tested for crossing the other family. With the value 1,
+    #: grids are recognised as engravings. Testing more passes takes longer.
     CROSSING = 100
-    #: share of its length. A crossing that is nearer to the end of a pass than this share is a corner. With 0, the
-    #: sides of nested contours count as crossing. With 0.5, no passes cross.
+    #: share of a pass's length. A crossing of two passes is a corner if its distance to the end of a pass is below this
+    #: share of the pass's length. With the value 0, the sides of nested contours count as crossing. With the value 0.5,
+    #: no passes count as crossing.
     END = 0.05
 
 
 class ARCS:
-    """Open strokes around one centre."""
+    """Concentric arcs: open strokes around one centre."""
 
-    #: cosine. A move lies on a circle if the cosine of its angle to the ray from the centre is smaller than this value.
-    #: With 0, circles that the boundary cuts open become engravings. With 1, open waterlines become spirals.
+    #: cosine. A move lies on a circle if the cosine of its angle to the ray from the centre is smaller than the
+    #: threshold. With the value 0, circles that the boundary cuts open are recognised as engravings. With the value 1,
+    #: open waterlines are recognised as spirals.
     SQUARE = 0.15
     #: share of the squared length. Moves have no common centre if the determinant of their directions is smaller than
-    #: this value. With 0, straight rows cause a division by zero. With 1, circles that the boundary cuts open have no
-    #: centre.
+    #: the threshold. With the value 0, straight rows cause a division by zero. With the value 1, circles that the
+    #: boundary cuts open have no centre.
     STRAIGHT_ROWS = 0.01
-    #: share of the length. A stroke is an arc if more than this share of it lies on a circle around the centre. With 0,
-    #: open waterlines become spirals.
+    #: share of the length. A stroke is an arc if more than this share of its length lies on a circle around the common
+    #: centre. With the value 0, open waterlines are recognised as spirals.
     ARC = 0.9
-    #: steps. Radii are different if they differ by more than this. With 0, the outlines that adaptive clearing leaves
-    #: on thin stock count as arcs with many radii.
+    #: steps. Two arcs have different radii if the radii differ by more than the threshold. With the value 0, the
+    #: outlines that adaptive clearing leaves on thin stock count as arcs with many radii.
     RADIUS = 0.3
-    #: steps. An arc is part of a spiral if its radius changes by more than this in one turn. With 0, circles that the
-    #: boundary cuts open become spirals. With a higher value, adaptive clearing from a centre becomes contour-parallel.
+    #: steps. An arc is part of a spiral if its radius changes by more than the threshold in one full turn. With the
+    #: value 0, circles that the boundary cuts open are recognised as spirals. With a higher value, adaptive clearing
+    #: from a centre is recognised as contour-parallel.
     DRIFT = 0.3
 
 
 class NEIGHBOURS:
     """Open strokes side by side."""
 
-    #: count. Number of points on each stroke in the comparison with other strokes. With 2, all strokes count as
-    #: straight. More points take time without gain.
+    #: count. Number of points on each stroke in the comparison with other strokes. With the value 2, all strokes are
+    #: treated as straight lines. More points take time and do not improve the recognition.
     POINTS = 12
-    #: share of the points. Minimum share of a stroke's points from which the perpendicular meets the neighbour. With 0,
-    #: letters become neighbours.
+    #: share of the points. Two strokes are neighbours only if, from more than this share of the points of one stroke,
+    #: the perpendicular meets the other stroke. With the value 0, the strokes of letters count as neighbours.
     FACING = 0.6
-    #: usual steps. Largest distance between neighbouring strokes. With 0, no strokes are neighbours.
+    #: usual steps. Largest distance between neighbouring strokes. With the value 0, no strokes count as neighbours.
     MAX_DISTANCE = 3
-    #: share of the step. Largest variation of the distance between two offsets. With 0, open offsets become adaptive.
-    #: With a higher value, passes of adaptive clearing become offsets.
+    #: share of the step. The distance between two strokes is constant, as between offsets, if it varies by less than
+    #: this share of the step. With the value 0, open offsets are recognised as adaptive clearing. With a higher value,
+    #: passes of adaptive clearing are recognised as offsets.
     EVEN = 0.3
-    #: share of the length. Minimum share of strokes in the direction of their neighbours in adaptive clearing, which
-    #: always mills in one direction. With a lower value, offsets that a side of the part cuts open become adaptive in
-    #: real programs.
+    #: share of the length. Open strokes are adaptive clearing only if more than this share of their length has the
+    #: direction of its neighbour, because adaptive clearing always mills in one direction. With a lower value, offsets
+    #: that a side of the part cuts open are recognised as adaptive clearing in real programs.
     ONWARD = 0.9
-    #: share of the length. Open strokes fill an area if strokes with neighbours have more than this share. With 1, open
-    #: strokes never fill an area. With a lower value, letters count as filling an area.
+    #: share of the length. Open strokes cover an area, and are not letters, if strokes with neighbours have more than
+    #: this share of the strokes' length. With the value 1, open strokes never count as covering an area. With a lower
+    #: value, letters count as covering an area.
     SHARE = 0.7
 
 
 class BITES:
     """Arcs that adaptive clearing cuts out of the stock one after the other."""
 
-    #: turns. Only a stroke that bends by more than this can be a bite. With a higher value, no strokes are bites, and
-    #: adaptive clearing becomes a spiral or an engraving.
+    #: turns. Only a stroke that bends by more than the threshold can be a bite. With a higher value, no strokes are
+    #: bites, and adaptive clearing is recognised as a spiral or an engraving.
     BENT = 0.25
-    #: share of the smaller size. Largest distance between the centres of consecutive bites. With 0, no strokes are
-    #: bites. With a higher value, curls of a drawing that overlap by chance become adaptive.
+    #: share of the smaller size. The centres of two consecutive bites must be nearer to each other than this share of
+    #: the smaller bite's size. With the value 0, no strokes are bites. With a higher value, curls of a drawing that
+    #: overlap by chance are recognised as adaptive clearing.
     MOVED = 0.5
-    #: share of the length. Minimum share of bites in adaptive clearing. With 0, spirals and profiles in real programs
-    #: become adaptive. With 1, no toolpath is adaptive by its bites.
+    #: share of the length. Strokes are adaptive clearing only if bites have more than this share of the section's
+    #: length. With the value 0, spirals and profiles in real programs are recognised as adaptive clearing. With the
+    #: value 1, no toolpath is adaptive by its bites.
     SHARE = 0.1
-    #: bites. Minimum number of bites in adaptive clearing. With 1, V-carving and circles that the boundary cuts open
-    #: become adaptive. With twice the value, adaptive clearing of small pockets becomes a spiral.
+    #: bites. Minimum number of bites in adaptive clearing. With the value 1, V-carving and circles that the boundary
+    #: cuts open are recognised as adaptive clearing. With a value of 20, adaptive clearing of small pockets is
+    #: recognised as a spiral.
     COUNT = 10
-    #: share of the bites. Bites are letters if the strokes that bend in the opposite sense have more than this share.
-    #: With 1, letters become adaptive. With 0, no toolpath is adaptive by its bites.
+    #: share of the bites. Bent strokes are letters, and not bites, if the strokes that bend in the opposite sense have
+    #: more than this share of the bites' length. With the value 1, letters are recognised as adaptive clearing. With
+    #: the value 0, no toolpath is adaptive by its bites.
     AGAINST = 0.3
 
 
 class ADAPTIVE:
     """Differences between adaptive clearing and a spiral or helix that clears a pocket."""
 
-    #: share of the length. A winding with more than this share of bites beside it is adaptive clearing that also clears
-    #: corners. With 1, adaptive clearing by FreeCAD becomes a spiral.
+    #: share of the length. A winding beside which bites have more than this share of the section's length is adaptive
+    #: clearing that also clears corners. With the value 1, adaptive clearing by FreeCAD is recognised as a spiral.
     BITES = 0.03
-    #: share of the length. A winding that is entered by a helix with more than this share is adaptive clearing, unless
-    #: its turns are evenly spaced circles. With 1, adaptive clearing in real programs becomes a spiral.
+    #: share of the length. A winding is adaptive clearing if the tool enters along a helix with more than this share of
+    #: the section's length, unless the turns of the winding are evenly spaced circles. With the value 1, adaptive
+    #: clearing in real programs is recognised as a spiral.
     ENTRY = 0.005
-    #: share of the length. A winding with more than this share of open strokes beside it is not a spiral. With 0,
-    #: spirals become adaptive. With 1, adaptive clearing that consists of open strokes to a third becomes a spiral.
+    #: share of the length. A winding beside which open strokes have more than this share of the section's length is not
+    #: a spiral. With the value 0, spirals are recognised as adaptive clearing. With the value 1, adaptive clearing of
+    #: which a third is open strokes is recognised as a spiral.
     STROKES = 0.3
 
 
 class POCKET:
-    """Narrow pockets: an open stroke clears the inside of a ring, which is the finishing pass."""
+    """Narrow pockets: an open stroke clears the pocket, and a ring around the stroke is the finishing pass."""
 
-    #: share of the length. Minimum share of the open strokes that clear the inside of rings. With 0, engraved contours
-    #: in real programs become mixed.
+    #: share of the length. A section is mixed if the open strokes that clear the inside of rings have more than this
+    #: share of its length. With the value 0, engraved contours in real programs are recognised as mixed.
     FILLED = 0.1
-    #: ratio. Upper bound for the ratio of a stroke's enclosed area per length to the ring's enclosed area per length.
-    #: With a higher value, contours inside contours become mixed in real programs.
+    #: ratio. An open stroke clears the inside of a ring only if the stroke's enclosed area per length is below this
+    #: multiple of the ring's enclosed area per length. With a higher value, contours inside contours are recognised as
+    #: mixed in real programs.
     WIDTH = 0.75
 
 
 class PARTS:
     """Borders between the parts of a program, and when different parts make the program mixed."""
 
-    #: borders. Largest number of borders that divide a program. More borders do not separate operations, and
-    #: recognising each section takes time. With 1, circuit boards and programs are one operation.
+    #: borders. A program with more borders than the threshold is not divided at all, because so many borders do not
+    #: separate operations, and recognising each section takes time. With the value 1, circuit boards and programs with
+    #: several operations are recognised as one operation.
     BORDERS = 200
-    #: share of the areas. If there are fewer holes than this share of the milled areas, the holes are passes clipped to
-    #: a point. With 1, circuit boards become profiles.
+    #: share of the areas. If the number of holes is below this share of the number of milled areas, the holes are
+    #: passes clipped to a point. With the value 1, circuit boards are recognised as profiles.
     DRILLED = 0.25
-    #: count. Fewer plunges than this number beside milling are not holes, unless a canned cycle drills them, because
-    #: the tool is parked or touches the stock. With 1, a profile after which the tool is parked becomes mixed.
+    #: count. Fewer plunges than this number in a milling program are not holes, unless a canned cycle drills them: the
+    #: plunges park the tool or touch the stock. With the value 1, a profile after which the tool is parked is
+    #: recognised as mixed.
     HOLES = 2
-    #: depths. A toolpath with more heights than this number cuts a surface. With a lower value, circuit boards engraved
-    #: at a few depths count as surfaces.
+    #: depths. A toolpath that cuts at more heights than this number cuts a curved surface. With a lower value, circuit
+    #: boards engraved at a few depths count as surfaces.
     DEPTHS = 10
     #: depths. Plunges are contours clipped to a point if they reach at least this number of depths and all these depths
-    #: are also milled. With 1, holes that are as deep as a pocket count as contours. With a higher value, waterlines on
-    #: gentle slopes become mixed.
+    #: are also milled. With the value 1, holes that are as deep as a pocket count as contours. With a higher value,
+    #: waterlines on gentle slopes are recognised as mixed.
     LAYERS = 2
-    #: share of the length. Sections of other operations do not make a program mixed if their total share is smaller
-    #: than this value and they use the same tool. With 0, rasters on surfaces and circuits with a hole become mixed.
+    #: share of the length. Sections of other operations do not make a program mixed if these sections have less than
+    #: this share in total and use the same tool. With the value 0, rasters on surfaces and circuits with a hole are
+    #: recognised as mixed.
     ASIDE = 0.05
-    #: share of the length. A single section of another operation after a certain border makes a program mixed if its
-    #: share is larger than this value. With 1, short zigzags before a profile are ignored.
+    #: share of the length. A single section of another operation after a certain border makes a program mixed if the
+    #: section has more than this share of the length. With the value 1, short zigzags before a profile are ignored.
     CERTAIN = 0.001
-    #: count. A section with fewer passes than this number and without loops is too short to show a strategy. With 0,
-    #: rows and rings on surfaces become profiles.
+    #: count. A section without loops and with fewer passes than this number is too short to show a strategy. With the
+    #: value 0, rows and rings on surfaces are recognised as profiles.
     PASSES = 3
-    #: count. Two strategies that alternate this often at doubtful retracts are one operation. With 1, any two
-    #: strategies are one operation, such as a pocket followed by another pattern.
+    #: count. Two strategies are one operation if the program changes between them at least this number of times at
+    #: doubtful retracts. With the value 1, any two strategies are recognised as one operation, such as a pocket
+    #: followed by another pattern.
     TURNS = 3
-    #: share of the size. Largest difference between the box of a cleared area and the box of the contour that finishes
-    #: its walls. With 0, no contour finishes walls, and rows with a contour become mixed. With a higher value, nothing
-    #: changes in real programs.
+    #: share of the size. Largest difference between the bounding box of a cleared area and the bounding box of the
+    #: contour that finishes its walls. With the value 0, no contour counts as finishing walls, and rows with a contour
+    #: are recognised as mixed. With a higher value, nothing changes in real programs.
     AROUND = 0.05
-    #: count. Largest number of nested loops that can be the finishing passes of walls. With 0, only loops that are not
-    #: nested finish walls. With a higher value, a pocket that is cut after another clearing becomes the finishing pass
-    #: of the clearing.
+    #: count. Largest number of nested loops that can be the finishing passes of walls. With the value 0, only loops
+    #: that are not nested count as finishing passes. With a higher value, a pocket that is cut after another clearing
+    #: is recognised as the finishing pass of the clearing.
     WALLS = 2
 
 
 class VISITS:
     """Retracts that begin another operation; benchmarks/learn_borders.py learns the model."""
 
-    #: share of the votes. A retract with more than this share begins another operation. With 0, every visit is an
-    #: operation, and pockets become mixed. With 1, no visit is an operation, and a zigzag followed by a profile is one
-    #: operation.
+    #: share of the votes. A retract with more than this share of the votes for a border begins another operation. With
+    #: the value 0, every visit counts as an operation, and pockets are recognised as mixed. With the value 1, no
+    #: retract begins another operation, and a zigzag followed by a profile is recognised as one operation.
     BORDER = 0.3
-    #: share of the votes. If the share for a border is between this share and BORDER, the verdicts before and after the
-    #: retract also count. With 1, the verdicts never count, and a pocket followed by another pattern is one operation.
+    #: share of the votes. If the share of the votes for a border is between this threshold and BORDER, the strategies
+    #: recognised before and after the retract also decide about the border. With the value 1, these strategies never
+    #: decide, and a pocket followed by another pattern is recognised as one operation.
     DOUBTFUL = 0.03
-    #: ratio. A retract begins another operation if the product of two odds is larger than this value: the odds of the
-    #: votes for a border, and the odds that two different verdicts are both right. With 0, every doubtful retract
-    #: between different verdicts is a border, and pockets become mixed.
+    #: ratio. A retract begins another operation if the product of two odds is larger than the threshold: the odds of
+    #: the votes for a border, and the odds that two different recognised strategies are both right. With the value 0,
+    #: every doubtful retract between different strategies is a border, and pockets are recognised as mixed.
     DIFFER = 0.6
-    #: share of the votes. With more than this share for a border, even a contour around a cleared area is another
-    #: operation and not its finishing pass.
+    #: share of the votes. If a retract has at least this share of the votes for a border, even a contour around a
+    #: cleared area is another operation and not its finishing pass.
     SURE = 0.5
-    #: visits. Number of previous visits that are compared for ground cut again. With 1, each visit is compared only
-    #: with the visit before it. Comparing more visits gains little.
+    #: visits. Number of previous visits that each visit is compared with, to find ground that is cut again. With the
+    #: value 1, each visit is compared only with the visit before it. Comparing more visits improves the recognition
+    #: only a little.
     EARLIER = 8
-    #: visits. Largest number of borders at retracts. More borders do not separate operations, and each section takes
-    #: time. With 1, most programs are one operation.
+    #: visits. Largest number of borders at retracts. More borders do not separate operations, and recognising each
+    #: section takes time. With the value 1, most programs are recognised as one operation.
     MOST = 60
-    #: count. Number of times that visits are divided again. With 0, all operations between two tool changes are one
-    #: operation if the tool is changed at a greater height. With a higher value, programs with retracts to many heights
-    #: take long.
+    #: count. Number of times that visits are divided again, at lower retracts. With the value 0, all operations between
+    #: two tool changes are recognised as one operation if tools are changed at a greater height than the operations
+    #: retract to. With a higher value, recognising programs with retracts to many heights takes long.
     NESTED = 4
-    #: share of the length. A block counts as closed in the measures of a visit if its ends are closer than this share.
+    #: share of the length. A block (area or drilled hole) counts as closed in the measures of a visit if the distance
+    #: between its ends is below this share of its length.
     CLOSED = 0.03
-    #: share of the size. Two visits cover the same ground in the measures if their boxes differ by less than this on
-    #: every side.
+    #: share of the size. Two visits cover the same ground in the measures of visits if their bounding boxes differ, on
+    #: every side, by less than this share of the larger visit's size.
     PLACE = 0.01
-    #: share. Two feeds are equal in the measures of visits if they differ by less than this share of the higher feed.
+    #: share. Two feed rates are equal in the measures of visits if they differ by less than this share of the higher
+    #: feed rate.
     FEED = 0.01
-    #: mm. Minimum size of a visit in the measures, so that a hole has a size.
+    #: mm. Minimum size of a visit in the measures of visits, so that the size of a drilled hole is not 0.
     SMALL = 0.05
 
 
 class LATHE:
-    """Toolpaths of a lathe in X and Z."""
+    """Thresholds for toolpaths of a lathe in X and Z."""
 
-    #: count. Minimum number of X positions of passes along Z. With 1, a milled slot counts as turned.
+    #: count. Minimum number of X positions of a lathe's passes along Z. With the value 1, a milled slot is recognised
+    #: as turned.
     PASSES = 3
-    #: ratio. Minimum ratio of the length cut along Z to the length cut along X. With 0, a row of milled slots counts as
-    #: turned. With a higher value, short turned bolts become profiles.
+    #: ratio. Minimum ratio of the length cut along Z to the length cut along X, for a toolpath of a lathe. With the
+    #: value 0, a row of milled slots is recognised as turned. With a higher value, short turned bolts are recognised as
+    #: profiles.
     LONGER = 1.5
 
 
 class MEASURED:
-    """Sample sizes and limits of the measures. The trees were learned with these values."""
+    """Sample sizes and limits of the measures. The decision trees were learned with these values."""
 
-    #: moves. Sample size for shares of the length; the sample is spread evenly over all moves.
+    #: moves. Number of sampled moves from which shares of the length are computed; the sample is spread evenly over all
+    #: moves.
     MOVES = 1000
-    #: moves. Sample size for sequences of turns; the sample is from the middle of the cutting order.
+    #: moves. Number of sampled moves from which sequences of turns are measured; the sample is from the middle of the
+    #: cutting order.
     TURNS = 2000
-    #: rad. Turns by less than this angle are caused by rounding and are ignored.
+    #: rad. Turns by an angle up to the threshold are caused by rounding and are ignored.
     TURN = 1e-4
-    #: turns. An area goes back and forth if the range of phi in the area is smaller than this.
+    #: turns. An area goes back and forth if the range of phi (sum of the turns) in the area is smaller than the
+    #: threshold.
     HALF_TURN = 0.51
-    #: turns. Range of the net turn of a closed area that goes around once. The net turn does not include the turn at
-    #: the last corner.
+    #: turns. A closed area goes around once if its net turn is between the two thresholds. The net turn does not
+    #: include the turn at the last corner.
     ONE_TURN = (0.6, 1.3)
-    #: share of the length. An area counts as closed in the measures if the distance from its start to its end is less
-    #: than this share.
+    #: share of the length. An area counts as closed in the measures if the distance from its start to its end is below
+    #: this share of its length.
     CLOSED = 0.02
     #: turns. An arc of the Gauss map is a half turn, as between alternating rows, if it differs from a half turn by
-    #: less than this.
+    #: less than the threshold.
     HALF = 0.1
-    #: turns. An arc of the Gauss map that is shorter than this is only a bend.
+    #: turns. An arc of the Gauss map that is shorter than the threshold is only a bend.
     SHORT = 0.3
-    #: turns. An arc of the Gauss map that is longer than this goes around a contour.
+    #: turns. An arc of the Gauss map that is longer than the threshold goes around a contour.
     LONG = 0.75
-    #: count. Number of classes for the sizes of turns, from no turn to an exact reversal.
+    #: count. Number of classes into which turns are divided by their size, from no turn to an exact reversal.
     TURNS_BY = 12
-    #: rings. Sample size for the shares of kinds of rings.
+    #: rings. Number of sampled rings from which the shares of the kinds of rings are computed.
     RINGS = 500
-    #: ratio. Upper bound for the measured evenness of rings in the plane.
+    #: ratio. Upper bound for the measure `evenness`, which compares the steps between rings in the plane with the steps
+    #: in depth.
     EVENNESS = 1000
 
 
 class SCAN:
-    """Scan lines across a section. The trees were learned with these values."""
+    """Scan lines across a section. The decision trees were learned with these values."""
 
     #: lines. Number of scan lines across a section.
     LINES = 12
-    #: share of the length. Share of the cutting length outside the scan lines on either side, where leads and remnants
-    #: lie.
+    #: share of the length. Share of the cutting length that is outside the scanned width, on either side. Most moves
+    #: there are leads and remnants.
     EDGE = 0.04
-    #: places. Number of crossings after which no further scan lines are used.
+    #: places. Number of crossings with moves after which no further scan lines are used.
     ENOUGH = 1200
-    #: ratio. Minimum sine of the angle between a move and a scan line. At a smaller angle the move lies along the line
-    #: and is ignored.
+    #: ratio. Minimum sine of the angle between a move and a scan line. A move at a smaller angle is nearly parallel to
+    #: the scan line and is ignored.
     GRAZING = 0.3
-    #: mm. Crossings whose heights differ by less than this are at one depth.
+    #: mm. Crossings of a scan line with moves are at one depth if their heights differ by less than about the
+    #: threshold.
     DEPTH = 0.05
     #: ratio. Two neighbouring moves on a scan line are parallel if the sine of the angle between them is smaller than
-    #: this value.
+    #: the threshold.
     PARALLEL = 0.35
-    #: ratio. Width of the classes of logarithms in the search for the usual distance between passes.
+    #: ratio. Width of the classes into which the logarithms of the distances between passes are divided, to find the
+    #: usual distance.
     BIN = 0.2
     #: share of the usual distance. Two passes are at the usual distance if their distance differs from the usual
-    #: distance by less than this.
+    #: distance by less than the threshold.
     EVEN = 0.3
 
 
 class VOTES:
-    """How the votes of the learned trees make a verdict, and its confidence."""
+    """How the votes of the learned decision trees determine the strategy and its confidence."""
 
-    #: share of the votes. A section is unknown if the share of the votes for nonsense is larger than this value. With
-    #: 1, random walks are given a strategy. With 0.5, outlines of snowflakes are called nonsense. With 0, engravings
-    #: are called nonsense.
+    #: share of the votes. The strategy of a section is unknown if the share of the votes for nonsense is larger than
+    #: the threshold. With the value 1, a strategy is recognised even for random walks. With the value 0.5, outlines of
+    #: snowflakes are recognised as nonsense. With the value 0, engravings are recognised as nonsense.
     NONSENSE = 0.6
-    #: share of the votes. Lower bound for a share of the votes before its odds are computed. With 0, the log odds of a
-    #: share of 0 or 1 are infinite.
+    #: share of the votes. Lower bound for a share of the votes before its odds are computed. With the value 0, the log
+    #: odds of a share of 0 or 1 are infinite.
     MIN_SHARE = 0.01
-    #: confidence. Upper bound for the confidence, because about one in a hundred of the most confident verdicts on
-    #: unseen programs is wrong.
+    #: confidence. Upper bound for the confidence of a recognised strategy. Even with the highest confidence, about one
+    #: in a hundred strategies recognised in unseen programs is wrong.
     SUREST = 0.99

@@ -29,7 +29,7 @@ class ConcentricArcs:
     spiral : float
         Length of the arcs whose radius changes steadily, mm.
     step : float
-        Distance between consecutive arcs (median by length), mm.
+        Median distance between consecutive arcs, weighted by length, mm.
     even : float
         Share of the steps between arcs that are close to the usual step.
     """

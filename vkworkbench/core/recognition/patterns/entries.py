@@ -14,7 +14,7 @@ ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 
 
 def find_entry(moves: Areas) -> str | None:
-    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the operation descends.
+    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the pattern itself descends.
 
     An entry is the descent at the start of an area, before the first level move. Some descents first follow a level
     move outwards and then return along its line. A descent that winds is a helix, a descent that goes back and forth is
@@ -114,8 +114,8 @@ def share_rising(moves: Areas) -> float:
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     """Return the first move of the descent at the start of each area, and the move after the descent, (a,) each.
 
-    Both returned moves are the area's first move if the area does not begin with a descent. Some ramps begin with a level move
-    outwards and descend back along the same line.
+    Both returned moves are the area's first move if the area does not begin with a descent. Some ramps begin with a
+    level move outwards and descend back along the same line.
     """
     x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length
     begin = _first(moves.start, moves.end, np.abs(moves.dz) >= LEVEL)

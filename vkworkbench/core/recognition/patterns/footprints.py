@@ -15,7 +15,8 @@ _PRIMES = (73856093, 19349663, 83492791, 49979687, 86028121)
 def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     """Group the pieces that have equal bounding boxes and equal lengths, and so cover the same ground.
 
-    Boxes and lengths are rounded to a grid, and the rounded numbers are hashed, so that no pairs need be compared.
+    Boxes and lengths are rounded to a grid, and the rounded numbers are hashed, so that no two pieces need be compared
+    with each other.
 
     Parameters
     ----------
@@ -29,7 +30,7 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     groups : int
         Number of different footprints.
     """
-    # A quarter of the length is the side of a square with this perimeter, so one grid is right for boxes and lengths.
+    # A quarter of the length is the side of a square with this perimeter, so the same grid suits boxes and lengths.
     measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
     key = np.floor(measures / ROUNDING.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)

@@ -87,7 +87,7 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
     beside &= step < NEIGHBOURS.MAX_DISTANCE * usual
     total = length[beside].sum()
     even = beside & (spread < NEIGHBOURS.EVEN * step)
-    # The first stroke in a series of neighbours has a neighbour only after it, but counts as well.
+    # The first stroke in a series of neighbouring strokes has a neighbour only after it, and is included.
     first = np.append(~beside[:-1] & beside[1:], False)
     return Neighbours(
         count=int((beside | first).sum()),
@@ -109,10 +109,10 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
 
 
 def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
-    """Return percentiles (p, rows) of the values (rows, k) that `of` (rows, k) selects, at least one in each row.
+    """Return percentiles of the values (n, k) that `of` (n, k) selects in each row of the array, (p, n).
 
-    numpy's `nanpercentile` processes the rows one by one. This function is faster, because it processes all rows with
-    the same number of values at once.
+    At least one value in each row is selected. numpy's `nanpercentile` processes the rows of an array one by one. This
+    function is faster, because it processes all rows with the same number of selected values at once.
     """
     ascending, count = np.sort(np.where(of, values, np.inf), axis=1), of.sum(axis=1)
     found = np.empty((len(percent), len(values)))
@@ -122,7 +122,7 @@ def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...])
 
 
 def _distances(ax: np.ndarray, ay: np.ndarray, bx: np.ndarray, by: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distance of each point of b from polyline a, and whether its perpendicular meets a, (k, points)."""
+    """Return the distance of each point of b from polyline a, and whether the perpendicular meets a, (k, points)."""
     dx, dy = np.diff(ax)[:, None], np.diff(ay)[:, None]
     px, py = bx[:, :, None] - ax[:, None, :-1], by[:, :, None] - ay[:, None, :-1]
     t = (px * dx + py * dy) / np.maximum(dx * dx + dy * dy, 1e-12)

@@ -122,7 +122,7 @@ class Inward(Dict[int, Shift]):
 
 
 def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Measure pairs of closed rings whose boxes share one or two sides.
+    """Measure the pairs of closed rings whose bounding boxes share one or two sides.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
     Returns
     -------
     shares : (s,) int
-        Pairs that share sides.
+        Indices of the pairs of rings whose bounding boxes share sides.
     alike : (s,) bool
         Whether the unshared sides are all shifted inwards, or all outwards, by similar distances.
     least : (s,) float
@@ -227,8 +227,8 @@ def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
     Returns
     -------
     float
-        Relative spread of the steps in the plane, divided by the relative spread of the steps in depth. Below 1 if the
-        steps in the plane are more even; 0 for rings of a single depth.
+        Relative spread of the steps in the plane, divided by the relative spread of the steps in depth. The ratio is
+        below 1 if the steps in the plane are more even, and 0 for rings of a single depth.
     """
     if len(steps) < 3 or drops.max() < ROUNDING.HEIGHT:
         return 0.0

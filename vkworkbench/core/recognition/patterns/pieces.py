@@ -33,7 +33,7 @@ class Pieces:
     net : (k,) float
         Net turn from the first to the last move, rad. With its closing turn, a loop has a net turn of +-2 pi.
     back : (k,) float
-        Turning that cancels out, sum |turn| - |net|, rad; 0 for a convex curve.
+        Turning to the left and to the right that cancels out, sum |turn| - |net|, rad; 0 for a convex curve.
     enclosed : (k,) float
         Signed area between the piece and its chord, mm2.
     box : (k, 4) float
@@ -41,7 +41,7 @@ class Pieces:
     z, last_z, rise, drop : (k,) float
         Mean height, height at the end, range of heights, and height gained from start to end, mm.
     passes : (k,) int
-        Number of passes along its axis, in either direction.
+        Number of passes along the axis of each piece, in either direction.
     wavy : (k,) bool
         Whether a loop or winding has alternating half-turns, like a concave contour or a zigzag that ends at its start.
     """
@@ -259,8 +259,8 @@ class HalfTurns(NamedTuple):
     passes : (k,) int
         Number of passes; 1 for a stretch that was not measured.
     parallel : (k,) float
-        Share of the passes' length that is parallel to the axis. Measured only for stretches of few passes, otherwise
-        0.
+        Share of the passes' length that is parallel to the axis. The value is measured only for stretches of few
+        passes, and is 0 for other stretches.
     """
 
     alternating: np.ndarray
@@ -275,8 +275,8 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
     A pass is a run of moves in one direction along the axis of its stretch. Between two opposite passes phi changes by
     pi or -pi. The signs of these half-turns alternate in a zigzag and stay the same around a contour (paper, section
     3.2). Unlike the paper's condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they are
-    also valid with islands and concave borders. An exact reversal has no sign. It returns on the same line and counts
-    as alternating.
+    also valid with islands and concave boundaries. An exact reversal, after which the tool returns on the same line,
+    has no sign and counts as alternating.
 
     Parameters
     ----------
@@ -291,7 +291,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
         return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
-    chosen = None  # counts all moves
+    chosen = None  # None selects all moves
     if len(stretch) < k:
         chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]

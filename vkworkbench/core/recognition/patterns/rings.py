@@ -25,7 +25,7 @@ class Rings:
     Attributes
     ----------
     index : (k,) int
-        Piece of each ring.
+        Index of each ring's piece.
     length : (k,) float
         Length of each ring, mm.
     nested : array
@@ -48,15 +48,15 @@ class Rings:
     winding, round, sloped : array
         Whether the ring is a turn of a winding; whether it is a circle; whether its height changes steadily.
     back : (k,) float
-        Turning that cancels out, rad; 0 for a convex ring.
+        Turning to the left and to the right that cancels out, rad; 0 for a convex ring.
     step : float
-        Distance from a ring to the next nested one (median by enclosed area), mm; NaN without nested rings.
+        Median distance from a ring to the next nested ring, weighted by enclosed area, mm; NaN without nested rings.
     growing : float
         Share of the steps between nested rings that go outwards; NaN without nested rings.
     equidistant : bool
         Whether the level turns of windings, at least three, are evenly spaced.
     distinct, depths : int
-        Number of different footprints, and of depths.
+        Number of different footprints of the rings, and number of depths.
     depth_range : float
         Height difference between the lowest and the highest ring, mm.
     evenness : float
@@ -253,7 +253,7 @@ class Pairs:
 
     @cached_property
     def same_box(self) -> np.ndarray:
-        """Whether the boxes are equal up to rounding, (p,) bool."""
+        """Whether both rings have equal bounding boxes, up to rounding, (p,) bool."""
         rounding = ROUNDING.RING + ROUNDING.RING_OF_SIZE * self.larger
         same: np.ndarray = np.maximum(-self.shift.low, self.shift.high) < np.minimum(
             rounding, max(ROUNDING.RING_OF_REACH * self.limit, ROUNDING.RING)
@@ -269,7 +269,7 @@ class Pairs:
 
     @cached_property
     def alike(self) -> np.ndarray:
-        """Whether all four sides are shifted by the same distance, (p,) bool. In a lattice this is rare."""
+        """Whether all four sides of the box are shifted by the same distance, (p,) bool. In a lattice, this is rare."""
         low, high, mean, _ = self.shift
         alike: np.ndarray = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
         return alike

@@ -30,15 +30,15 @@ class Rows:
     count : int
         Number of rows.
     lines : int
-        Number of different lines, counted for up to a thousand rows.
+        Number of different lines on which the passes lie, counted for up to a thousand passes.
     once : float
         Length of the passes, without passes that repeat the line of the previous pass at another depth, mm.
     opposite, same : float
         Length of the passes whose neighbour runs in the opposite direction, and in the same direction, mm.
     step : float
-        Distance between consecutive rows (median by length), mm.
+        Median distance between consecutive rows, weighted by length, mm.
     pitch : float
-        Distance between neighbouring rows in any order (median), mm.
+        Median distance between neighbouring rows, whatever the order of cutting, mm.
     period : float
         Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines
         in each pocket. Lines of one set are one stepover apart, and the distance between the sets is arbitrary. The
@@ -51,7 +51,7 @@ class Rows:
     lies : (p, 3) float
         Sample of passes: position across the axis, and beginning and end along the axis, ascending, mm.
     moves : (k,) int
-        Moves of the passes.
+        Indices of the moves of all passes.
     """
 
     axis: float
@@ -75,7 +75,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     """Find up to two families of parallel rows among the chosen moves.
 
     The Gauss image of rows is two opposite points of the circle. If opposite directions count as one, the axis of a
-    family is the densest direction of the Gauss image. Grids and crossed rasters have a second family.
+    family is the densest direction of the Gauss image. Grids and crossed rasters have a second family of rows.
 
     Parameters
     ----------
@@ -140,10 +140,10 @@ class Steps(NamedTuple):
     shorter : (k-1,) float
         Length of the shorter of two consecutive passes, mm.
     aside, neighbour : (k-1,) bool
-        Whether two consecutive passes are on different lines; whether their distance, besides, is at most about
+        Whether two consecutive passes are on different lines; whether, in addition, their distance is at most about
         `usual`.
     usual : float
-        Usual distance (median by length), mm.
+        Usual distance between consecutive passes (median weighted by length), mm.
     even : float
         Share of the steps that are close to the usual step.
     line : float
@@ -178,7 +178,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
 
 
 def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
-    """Return whether steps within rounding go to one side, as in fine rows. Rounding errors go to both sides."""
+    """Return whether most steps as small as rounding errors go to one side, as in fine rows, and not to both sides."""
     small = step[(lateral > ROWS.FINEST) & (lateral <= ROUNDING.PLACE)]
     if len(small) < max(ROWS.MANY, MAJORITY.SHARE * np.count_nonzero(lateral > ROWS.FINEST)):
         return False
@@ -234,7 +234,7 @@ def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
         once = passes.length[0]
         return Rows(axis, total, once, passes.typical, 1, 1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False, lies, on)
     turned = passes.forward[1:] != passes.forward[:-1]
-    # Two passes in the same direction in one area, without a lift, are steps of one stroke and not rows. For example, a
+    # Two passes in the same direction in one area, without a lift, are parts of one stroke and not rows. For example, a
     # contour that was sampled on a grid looks like a staircase.
     onward = steps.neighbour & ~turned & (passes.area[1:] != passes.area[:-1])
     steep = np.abs(np.diff(passes.height)) > np.abs(np.diff(passes.place))
@@ -337,16 +337,17 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     place = np.append(0.0, np.cumsum(gaps))
     lags = range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)
     distance = np.concatenate([place[lag:] - place[:-lag] for lag in lags])
-    distance = distance[distance < ROWS.FARTHEST * pitch]  # larger distances lie between pockets
+    distance = distance[distance < ROWS.FARTHEST * pitch]  # larger distances are between lines of different pockets
     width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
-    count[:-1] += count[1:]  # join neighbouring cells, because equal distances can be in both
-    # The number of lines that are at least this distance before the last line, so that another line can repeat them.
+    count[:-1] += count[1:]  # join neighbouring cells, because equal distances can be rounded to either
+    # For each distance: number of lines that are at least this distance before the last line, so that another line can
+    # be at this distance from them.
     with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
-    score = count * share  # a distance that repeats by chance does so for few lines
-    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples are equally frequent
+    score = count * share  # a distance that occurs by chance occurs for few lines
+    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples of the period are equally frequent
     if share[nearest] <= MAJORITY.SHARE:
         return pitch
     return median(distance[(cell == nearest) | (cell == nearest + 1)])
@@ -397,7 +398,7 @@ def _aligned(dx: np.ndarray, dy: np.ndarray, length: np.ndarray, axis: float) ->
 
 
 def filling(families: list[Rows], tool: float, *, length: float, contour: bool) -> list[Rows]:
-    """Return the families of rows that fill an area.
+    """Return the families of rows that cover an area, like the rows in a pocket.
 
     Parameters
     ----------
@@ -414,7 +415,8 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     if good or len(families) < 2 or (tool and max(family.period for family in families) > NESTS.REACH * tool):
         return good
     # The passes of a lattice bounce from wall to wall, so that consecutive rows are not neighbours. Two families of
-    # many long rows that have nearly the whole length fill the area nevertheless. The sides of contours do not cross.
+    # many long rows nevertheless cover the area if they have nearly the whole length and cross each other. The sides of
+    # contours do not cross.
     if sum(family.length for family in families) > ROWS.GRID * length and _cross(*families):
         if all(
             family.count >= MAJORITY.REPETITIONS and family.typical > ROWS.MIN_LENGTH * family.pitch

@@ -35,14 +35,14 @@ _LOW = np.array([1.0, 1.0, -1.0, -1.0])  # a box times _LOW has its outermost si
 
 
 class Corrections(NamedTuple):
-    """Turns of k rings against the sense of the winding; 0 for closed loops.
+    """Turns of k rings against the sense of the winding; the values are 0 for closed loops.
 
     Attributes
     ----------
     angle : (k,) float
-        Sum of the turns against the sense, rad.
+        Sum of the turns against the sense of the winding, rad.
     places : (k,) int
-        Number of places with a turn against the sense.
+        Number of places with a turn against the sense of the winding.
     """
 
     angle: np.ndarray
@@ -62,7 +62,8 @@ class Section:
     Attributes
     ----------
     moves : Areas
-        The pattern: without leads and spurs, with contours over tags joined.
+        The moves of the pattern: without leads and spurs (detours out and back on one line), and with contours over
+        holding tags joined.
     wound : float
         Share of the length in helical lead-ins, which are not in `moves`.
     in_strokes : float
@@ -163,7 +164,7 @@ class Section:
 
     @cached_property
     def families(self) -> list[Rows]:
-        """The families of parallel passes, at most two families."""
+        """The families of rows, at most two. A family consists of all parallel passes along one axis."""
         pieces, rowlike = self.pieces, self._rowlike
         if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
             return []  # such short pieces are links between loops
@@ -173,7 +174,7 @@ class Section:
 
     @cached_property
     def rows(self) -> list[Rows]:
-        """Families of rows that fill an area."""
+        """Families of rows that cover an area, like the rows in a pocket."""
         length, rowlike = self.pieces.length, self._rowlike
         searched = float(length[rowlike].sum())
         contour = length[rowlike & (self._kinds == LOOP)].sum() > MAJORITY.SHARE * searched
@@ -218,7 +219,7 @@ class Section:
         return float(self.strokes.length[strokes].sum()) / self.length
 
     def cornered(self) -> float:
-        """Return the share of the turning of windings in corners.
+        """Return which share of the turning of windings is in corners.
 
         A spiral turns continually. Polygons that step to the next polygon in a corner also wind in one sense, but turn
         only in corners.
@@ -239,7 +240,7 @@ class Section:
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
     def ends_with_contour(self) -> bool:
-        """Return whether the depths with most of the length end with a large closed contour, a finishing pass.
+        """Return whether the last piece at most depths (by length) is a large closed contour, a finishing pass.
 
         A contour around the part, or inside a pocket, is larger than half of the ground that is cut at its depth.
         """
@@ -256,7 +257,7 @@ class Section:
         return bool(pieces.length[level][ends[depth]].sum() > MAJORITY.SHARE * pieces.length[level].sum())
 
     def bordered(self) -> tuple[float, float]:
-        """Return how much of the rows and rings at one depth belongs to one pattern.
+        """Return how much of the rows is inside rings, and how much of the rings is amid rows, at the same depths.
 
         Returns
         -------
@@ -292,8 +293,8 @@ class Section:
     def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
         """Yield the rings that are cut after some strokes, (s,) int, then the rings that are cut before these strokes.
 
-        The rings are indices of pieces. Each time also yield how far the strokes lie inside the boxes of the rings, mm,
-        and whether stroke and ring have the same depth.
+        The rings are indices of pieces. With either rings, also yield how far the strokes lie inside the rings'
+        bounding boxes, mm, and whether stroke and ring have the same depth.
         """
         pieces, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)

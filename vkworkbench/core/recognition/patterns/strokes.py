@@ -21,7 +21,7 @@ class Strokes:
     Attributes
     ----------
     index : (k,) int
-        Piece of each stroke.
+        Index of each stroke's piece.
     length : (k,) float
         Length of each stroke, mm.
     bite : (k,) bool
@@ -32,9 +32,9 @@ class Strokes:
     sloped : (k,) bool
         Whether the height of the stroke changes.
     distinct, depths : int
-        Number of footprints, and number of depths of level strokes.
+        Number of different footprints of the strokes, and number of depths of the level strokes.
     typical : float
-        Length of a stroke (median by length), mm.
+        Median length of the strokes, weighted by length, mm.
     """
 
     index: np.ndarray
@@ -78,7 +78,8 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     beside[1:] |= meets
     bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
     with_most = sense == common
-    # If most strokes of the common sense have no such neighbour, the remaining strokes have a neighbour by chance.
+    # If most strokes that bend in the common sense are not close to the bent stroke before or after them, the other
+    # strokes are close to each other by chance.
     if np.count_nonzero(with_most & beside) >= MAJORITY.SHARE * np.count_nonzero(with_most):
         bite[bent[with_most & beside]] = True
     against[bent[sense == -common]] = True

@@ -14,10 +14,10 @@ from vkworkbench.core.recognition.thresholds import MAJORITY, ROUNDING, TAGS
 def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     """Join areas that follow one another around a closed contour.
 
-    Between two such areas the tool is lifted, and continues at the same place or ahead. The move before each gap is
-    extended to bridge the gap. Cuts over a tag are part of the contour. Rows that are lifted over an island also
-    continue ahead, but do not close. If each stroke between tags is cut to its full depth before the next stroke, the
-    joined contour goes around as often as a stroke has passes.
+    Between two such areas, the tool is lifted, and continues at the same place or farther ahead in the same direction.
+    The move before each gap is extended to bridge the gap. Cuts over a tag are part of the contour. Rows that are
+    lifted over an island also continue ahead, but do not close. If each stroke between tags is cut to its full depth
+    before the next stroke, the joined contour goes around as often as a stroke has passes.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
         return strokes, 0.0
     of_contour = np.repeat(contour, last - first + 1)
     dx, dy, end = moves.dx.copy(), moves.dy.copy(), moves.end - 1
-    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # gaps in other areas are too short to matter
+    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # all other gaps are within rounding
     dx[end[ahead]] += gap_x[ahead]
     dy[end[ahead]] += gap_y[ahead]
     begins = ~of_contour
@@ -117,7 +117,7 @@ def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
 
 
 def _gap(moves: Areas, one: np.ndarray, two: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the distances from the ends of areas to the starts of others, (k,) mm in x and in y."""
+    """Return the distances from the ends of areas `one` to the starts of areas `two`, (k,) mm in x and in y."""
     end, start = moves.end[one] - 1, moves.start[two]
     return moves.x[start] - moves.x[end] - moves.dx[end], moves.y[start] - moves.y[end] - moves.dy[end]
 

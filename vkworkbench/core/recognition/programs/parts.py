@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divide a program into parts, and decide whether the parts are different operations."""
+"""Divide an NC program into parts, and decide whether the parts are different operations."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
     """Return the retracts that separate two operations.
 
     A retract separates operations if its probability is high. A retract with a lower probability separates operations
-    if the sections before and after the retract have clearly different verdicts.
+    if clearly different strategies are recognised before and after the retract.
 
     Parameters
     ----------
@@ -167,8 +167,8 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
     differs = np.array([
         _differs(one, found[main], apart, program) for one, apart in zip(found, stretch != stretch[main])
     ])  # fmt: skip
-    # In a program, each stretch between certain borders is an operation. FreeCAD's titles within an operation are not
-    # borders.
+    # In an NC program, each stretch between certain borders is an operation. FreeCAD's titles within an operation are
+    # not borders.
     operation = stretch if program else np.zeros_like(stretch)
     little = bool(share[differs].sum() < PARTS.ASIDE)
     if little and not (differs & (stretch != stretch[main]) & _is_enough(found, share, program)).any():
@@ -210,7 +210,7 @@ def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np
 
 
 def _one_span(one: Recognition) -> Recognition:
-    """Return an operation of a program with one span. Rows and a contour around the rows become rows."""
+    """Return an operation with one span. An operation of rows and a contour around them is recognised as rows."""
     if len(one.spans) < 2:
         return one
     share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
@@ -243,10 +243,11 @@ def _joined(found: list[Recognition], operation: np.ndarray) -> list[tuple[int, 
 def _agree(
     toolpath: Toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray, operation: np.ndarray
 ) -> Recognition:
-    """Return the verdict on the whole, or on the longest section if every section contradicts the whole.
+    """Return the strategy of the whole program, or of its longest section if all sections contradict the whole.
 
-    Sections that are too short to show a strategy do not count, because some programs give a title to each loop of a
-    waterline or to each row of a zigzag. The sections that count must have at least half of the length.
+    Sections that are too short to show a strategy are ignored, because some programs give a title to each loop of a
+    waterline or to each row of a zigzag. The remaining sections can only contradict the whole if they have at least
+    half of its length.
     """
     clear = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
     if share[clear].sum() < MAJORITY.SHARE or whole.strategy in {found[k].strategy for k in clear}:
@@ -261,13 +262,14 @@ def _agree(
 def _short(one: Recognition, loops: int) -> bool:
     """Return whether a section has fewer than `loops` loops and too few passes to show a strategy.
 
-    One loop is enough for an operation beside rows. Two loops are needed to contradict the verdict on the whole.
+    One loop is enough for an operation beside rows. Two loops are needed to contradict the strategy recognised for the
+    whole program.
     """
     return one.closed_loops < loops and (one.passes or 0) < PARTS.PASSES
 
 
 def _differs(one: Recognition, main: Recognition, apart: bool, program: bool) -> bool:
-    """Return whether a section is another operation than the main one.
+    """Return whether a section is another operation than the main section.
 
     After a certain border, a section with another strategy is another operation. A comment alone divides only
     strategies of different families, because FreeCAD gives titles to the passes of one operation. For example, the

@@ -35,8 +35,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     tool_diameter : float, optional
         Tool diameter, mm. If unknown (None, 0, NaN), the usual step between passes is used instead.
     program : bool
-        Whether the toolpath can contain several operations that only retracts separate, like an imported program. Pass
-        False for a single operation, which also contains retracts.
+        Whether the toolpath can contain several operations that only retracts separate, like an imported NC program.
+        Pass False for a single operation, which also contains retracts.
 
     Returns
     -------

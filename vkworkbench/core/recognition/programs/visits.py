@@ -33,11 +33,11 @@ class Visits:
     first, last : (k,) int
         First and last cutting trajectory.
     blocks : (k,) int
-        Number of monotonous areas and drilled holes.
+        Number of blocks. A block is a monotonous area or a drilled hole.
     low, high : (k, 2) float
         Bounding box in the plane, mm.
     bottom, top, begin : (k,) float
-        Lowest and highest cutting height, and the height of the first block, mm.
+        Lowest and highest cutting height of the visit, and highest cutting height of its first block, mm.
     length : (k,) float
         Cutting length in the plane, mm.
     feed, fastest : (k,) float
@@ -134,7 +134,7 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
 
 
 def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
-    """Compare every visit with the next visit. Return the dimensionless measures of the pairs, (k-1,) each."""
+    """Compare every visit with the next visit. Return the dimensionless measures of these pairs, (k-1,) each."""
     a, b = slice(None, -1), slice(1, None)
 
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
@@ -184,7 +184,8 @@ def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
         "visits": np.full(len(visits) - 1, np.log(len(visits))),
     }  # fmt: skip
     measures["again"], measures["again_above"] = _cut_again(visits)
-    # Average the measures of the pairs before and after, which show whether the visits form a regular series.
+    # Average the measures of the pairs of visits before and after each pair. The averages show whether the visits form
+    # a regular series.
     for name in ("same_ground", "overlap", "same_top", "same_bottom", "same_feed"):
         values = measures[name]
         if len(values) > 1:

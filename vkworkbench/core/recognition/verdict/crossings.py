@@ -147,14 +147,15 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
     reached = np.cumsum(sample.length[order])
     low, high = height[order[np.searchsorted(reached, (SCAN.EDGE * reached[-1], (1 - SCAN.EDGE) * reached[-1]))]]
     lines = low + (high - low) * FROM_THE_MIDDLE
-    # Use pairs of lines from the middle outwards, until the sample shows that there will be enough crossings.
+    # Use scan lines from the middle outwards, two at a time, until the sample shows that there will be enough
+    # crossings.
     promised = ((one < lines[:, None]) != (other < lines[:, None])).sum(axis=1) * (len(begin) / len(one))
     wanted = max(2, int(np.count_nonzero(np.cumsum(promised)[1::2] <= SCAN.ENOUGH)) * 2)
     found = []
     for line in lines[:wanted]:
         on = np.flatnonzero((begin < line) != (end < line))
         spare = max(0, len(on) - SCAN.ENOUGH // 2)
-        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # the middle of the cutting order
+        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # keep the middle of the cutting order
     on, line = np.concatenate(found), np.repeat(np.arange(wanted), [len(moves) for moves in found])
     step, length = end[on] - begin[on], moves.length[on]
     steep = np.abs(step) > SCAN.GRAZING * length

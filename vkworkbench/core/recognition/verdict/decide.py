@@ -19,7 +19,7 @@ from vkworkbench.language import Message
 STRATEGIES = tuple(s for s in Strategy if s is not Strategy.EMPTY)
 # Strategies that only the rules can propose, and that the votes of the trees never elect.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
-# The class of each strategy is its family; only adaptive clearing is a class of its own.
+# The class of each strategy is its family of strategies; only adaptive clearing is a class of its own.
 CLASSES = [-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES]
 ALIKE = np.equal.outer(CLASSES, CLASSES)
 #: The paper's literal verdict as a number; a verdict that is not in this table counts as 0.

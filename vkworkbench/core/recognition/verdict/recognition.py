@@ -46,7 +46,8 @@ class Recognition:
         Reason in the paper's terms, with numbers.
     spans : tuple of Span
         Stretches in the order of cutting. There are several spans if the strategy is mixed, or if a few cuts follow
-        another strategy than the pattern. Neighbouring spans with the same strategy are two operations of a program.
+        another strategy than the pattern. Neighbouring spans with the same strategy are two operations of an NC
+        program.
     level : int
         Level n in the paper: number of full turns of phi in one area, with sign, truncated toward zero.
     phi_range : tuple of float
