@@ -41,7 +41,7 @@ class Machine:
         deviation; in LinuxCNC, the path tolerance (G64 P). If the value is 0, the tool stops at each corner.
     lookahead : int
         Number of moves that the controller plans ahead. The tool must be able to stop within these moves, so a
-        controller with a small number is slow in programs with tiny moves.
+        controller that plans few moves ahead is slow in NC programs with tiny moves.
     factor : float
         Measured time of a job divided by its planned time. All times are multiplied by this factor.
     tool_change : float

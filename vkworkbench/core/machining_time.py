@@ -35,7 +35,7 @@ class Machining:
     left_out : tuple of Message
         Reasons why the times are incomplete; empty if they are complete.
     shortest, median : float or None
-        Shortest and median path length of one command at feed, mm; None if nothing cuts. Tiny lengths show that a
+        Shortest and median path length of one command at feed, mm; None if nothing cuts. Tiny lengths show that an NC
         program is divided into too many lines.
     dwell_seconds : float
         Time of the dwells, s.
@@ -102,7 +102,7 @@ def trajectory_seconds(
 def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> np.ndarray:
     """Return the dwells before each trajectory, and after the hole of a drilling cycle, (n,) float64 s.
 
-    A dwell at the end of the toolpath counts with the last trajectory.
+    A dwell at the end of the toolpath is added to the dwells of the last trajectory.
     """
     if not len(toolpath):
         return np.zeros(0)

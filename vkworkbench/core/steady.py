@@ -25,9 +25,9 @@ def steady_seconds(
 ) -> np.ndarray:
     """Return the shortest time of each function, s, (k,) float64; at least three times are within 5 % of the shortest.
 
-    Other programs can only make a measured time longer, so the shortest time is the best estimate. Three nearly equal
-    times show that the computer was idle. The functions are called in turn, so that a short load on the computer spoils
-    only one measurement of each function.
+    Other processes on the computer can only make a measured time longer, so the shortest time is the best estimate.
+    Three nearly equal times show that the computer was idle. The functions are called in turn, so that a short load on
+    the computer spoils only one measurement of each function.
 
     Parameters
     ----------

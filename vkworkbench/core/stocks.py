@@ -19,7 +19,7 @@ from vkworkbench.language import Message, Unusable
 # Grid to which corners of a mesh are rounded before equal corners are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
-# Number of rows of rays in one strip of a mesh. In a higher strip, most triangles cross only few of the rows.
+# Number of rows of rays in one strip of a mesh. In a higher strip, most triangles cross only few of these rows of rays.
 _ROWS = 256
 
 
@@ -38,7 +38,7 @@ class Cylinder(Convex):
     lower, upper : (3,) ndarray
         Corners of the bounding box, mm. `normals` and `offsets` also describe the bounding box.
     corners : (c, 3) ndarray
-        Points of the two rims, mm.
+        Points on the circular edges of the lower and the upper face, mm.
 
     Raises
     ------
@@ -201,7 +201,7 @@ class _SeenMesh:
     def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return rays and the depths at which they cross triangles, unordered.
 
-        Many rows with few rays each are divided into strips along y, because most triangles overlap only a few strips.
+        Many rows of few rays each are divided into strips along y, because most triangles overlap only a few strips.
         """
         strips = 1 + len(np.unique(y)) // _ROWS
         if strips == 1:
@@ -236,7 +236,7 @@ class _SeenMesh:
         at = rows[row]
         there = _crossed(self.edges[0, triangle], at)
         here = _crossed(self.edges[np.where(at >= self.edges[2, triangle, 1], 2, 1), triangle], at)
-        # All rows are placed one after the other on one axis, so that one search finds the rays of all rows.
+        # All rows of rays are placed one after the other on one axis, so that one search finds the rays of all rows.
         left, right = left - 1, right + 1
         places = x[order] + row_of_ray * (right - left)
         low, high = np.clip(np.minimum(here, there), left, right), np.clip(np.maximum(here, there), left, right)
@@ -259,7 +259,7 @@ def _edge(lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
 
 
 def _crossed(edges: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Return the image coordinate x (k,) at which edges (k, 3), see `_edge`, cross the rows `at` (k,)."""
+    """Return the image coordinate x (k,) at which edges (k, 3), see `_edge`, cross the rows of rays `at` (k,)."""
     result: np.ndarray = edges[:, 0] + (at - edges[:, 1]) * edges[:, 2]
     return result
 

@@ -143,7 +143,7 @@ class Tool:
     def profile(self, r: np.ndarray) -> np.ndarray:
         """Return the height of the lower surface above the tip at distances `r` from the axis, mm.
 
-        Distances that exceed the tool's radius, for example by rounding, get the height of the rim.
+        At distances beyond the tool's radius, for example by rounding, the height is the height at the full radius.
         """
         corner = self.rounding
         flat, width = (self.radius - corner, corner) if corner else (self.tip, self.radius - self.tip)

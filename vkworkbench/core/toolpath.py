@@ -107,13 +107,13 @@ class Toolpath:
     Attributes
     ----------
     points : (n+1, 3) float64
-        Positions of the tool tip, mm; the shape is (0, 3) if the program contains no position.
+        Positions of the tool tip, mm; the shape is (0, 3) if the NC program contains no position.
     rapid : (n,) bool
         Whether each trajectory is a positioning move (G0, or a rapid part of a canned cycle).
     command : (n,) int64
         Index of the source command of each trajectory.
     feed : (n,) float64
-        Feed rate in mm/s; 0 for rapids, and for cuts without a feed rate in the program.
+        Feed rate in mm/s; 0 for rapids, and for cuts without a feed rate in the NC program.
     sweep : (n,) float64
         Exact angle of the part of an arc that the trajectory replaces as a chord, rad; 0 for a straight move. Angles
         are positive if they are counter-clockwise around the plane's normal (right-hand rule).
@@ -126,9 +126,9 @@ class Toolpath:
     tool_changes : (m,) int64
         Index of the trajectory after each tool change (M6), 0 to n.
     comments : tuple of (int, str)
-        Program comments as (index of the next trajectory, text without parentheses).
+        Comments of the NC program, as (index of the next trajectory, text without parentheses).
     problems : tuple of Problem
-        Parts of the program that could not be used.
+        Parts of the NC program that could not be used.
     dwells : (m, 2) float64
         Index of the source command and duration in s of each dwell (G4, and the P word of canned cycles).
     """

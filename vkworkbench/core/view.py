@@ -15,8 +15,8 @@ from vkworkbench.given import number, numbers, whole
 # tilts counted, rounding in the camera's direction would decide which side of the image is up, and whether a ray passes
 # inside or outside a tool's vertical side.
 VERTICAL = 1e-5
-# Largest width and height of an image, pixels, and largest number of pixels in an image. Records store the number of a
-# pixel in 32 bits.
+# Largest width and height of an image, pixels, and largest number of pixels in an image. The z-buffer's records store
+# the number of a pixel in 32 bits.
 LONGEST_SIDE, MOST_PIXELS = 1_000_000, 2**32
 # Smallest and largest side of a pixel, mm. With the smallest pixel, the smallest stock fills the largest image. The
 # largest pixel is much wider than the largest stock.

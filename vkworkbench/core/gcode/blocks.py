@@ -22,7 +22,7 @@ class Lines:
     Parameters
     ----------
     text : str
-        The text of a program.
+        The text of an NC program.
     """
 
     def __init__(self, text: str) -> None:

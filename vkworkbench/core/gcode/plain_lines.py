@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read many plain program lines at once, as columns. Most lines of most programs are plain.
+"""Read many plain program lines at once, as columns. Most lines of most NC programs are plain.
 
 A plain line contains only words of a straight move or an arc (G0 to G3, X, Y, Z, I, J, K, R, F) and a line number, and
 each letter at most once. An empty line is also plain. `PlainLines.read` adds the commands that the interpreter would
@@ -78,7 +78,7 @@ _NAMES = ("", *map(codes.name_of, _MOTIONS), codes.name_of(codes.PER_MINUTE))
 
 
 class PlainLines:
-    """The plain lines of a program.
+    """The plain lines of an NC program.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ class PlainLines:
 
 @dataclass(frozen=True)
 class _Block:
-    """Lines of a program, with the words of the plain lines as columns.
+    """Lines of an NC program, with the words of the plain lines as columns.
 
     Attributes
     ----------
@@ -139,7 +139,8 @@ class _Block:
     rows : (c,) int64
         Index of the line of each command.
     motions : (c,) int64
-        The motion that each command selects, in tenths of its G-code; -1 if the command selects no motion.
+        The G-code of the motion that each command selects, as ten times its number, e.g. 10 for G1; -1 if the command
+        selects no motion.
     names, letters : list of str
         Name of each command (empty for a move without a G word), and the letters of its values.
     counts : (c,) int64

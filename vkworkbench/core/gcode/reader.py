@@ -77,7 +77,7 @@ def read_program(text: str) -> Program:
 
 
 class _Reader:
-    """Reader of a program, with the commands, comments and problems of the lines read so far.
+    """Reader of an NC program, with the commands, comments and problems of the lines read so far.
 
     Attributes
     ----------

@@ -71,7 +71,7 @@ class Layer:
 
     @cached_property
     def upside_down(self) -> Layer:
-        """The layer turned upside down, for views from below. The part's lower surface counts as raw stock."""
+        """The layer turned upside down, for views from below. The part's lower surface is treated as raw stock."""
         owner = np.full_like(self.owner, STOCK) if self.is_part else self.owner
         turned = Layer(-self.bottom, -self.top, owner, self.cell, self.is_part, self.cut)
         vars(turned)["upside_down"] = self
@@ -206,7 +206,7 @@ class Field:
         return self._in_border(np.arange(self.frame.width * self.frame.height), -1).ravel()
 
     def _cut(self, layer: Layer, section: Section) -> Layer:
-        """Return a layer without the material that a section hides."""
+        """Return a layer of the part without the material that a section hides."""
         place = section.place - float(self.frame.centre[section.axis])
         if section.axis == 2:
             beyond, kept = (layer.top, layer.bottom) if section.hides_above else (-layer.bottom, -layer.top)
@@ -238,7 +238,7 @@ class Field:
 
 
 def _columns_of_part(zbuffer: ZBuffer) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Yield near ends, far ends and owners of the first columns of all rays, then of the second columns, and so on."""
+    """Yield near ends, far ends and trajectories of the first columns of all rays, then of the second, and so on."""
     picture, records = zbuffer.picture, zbuffer.records
     if not records.has_gaps:
         yield picture.depth, np.where(np.isnan(picture.depth), np.float32(np.nan), records.ends), picture.owner

@@ -131,13 +131,13 @@ class _Turned:
     Attributes
     ----------
     cell : (n, width) int64
-        Cell of the layer at each step from front to rear and each column of pixels. The cells of the last step are
-        border cells.
+        Cell of the layer at each step from front to rear, in each column of pixels. The cells of the last step belong
+        to the border of empty cells around the layer.
     step, first : float
         Distance between successive cells in the direction away from the viewer, and position of the first cell's front
         edge relative to the image's centre, mm.
     lift : float
-        Height of the layer's origin above the image's centre, mm.
+        Height of the origin of the layer of the part above the image's centre, mm.
     rise : (n,) float32
         Screen height of the front edge of the cells of each step if their tops were at height 0, in pixels from the
         image's lower edge.

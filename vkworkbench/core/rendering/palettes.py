@@ -32,7 +32,7 @@ RAW, CUT = (160, 146, 122), (176, 192, 208)
 
 
 def palette(colors: np.ndarray | tuple[int, int, int]) -> np.ndarray:
-    """Return the table of colours by owner: first the colour of the raw stock, then the colour of each trajectory.
+    """Return the table of colours: first the colour of the raw stock, then the colour of each trajectory's surfaces.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def scale_colors(values: np.ndarray) -> np.ndarray:
     Parameters
     ----------
     values : (n,) ndarray
-        Numbers from 0, for the first colour of the scale, to 1, for the last colour. NaN counts as 0.
+        Numbers from 0, for the first colour of the scale, to 1, for the last colour. NaN gets the colour of 0.
 
     Returns
     -------

@@ -18,8 +18,8 @@ from vkworkbench.core.rendering.shading import BACKGROUND, BRIGHTEST, EDGE, EMPT
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
-# SECTION: colour of the cut face of a section. CUT_OPEN: number that stands as the owner of the cut face, which no
-# trajectory cut.
+# SECTION: colour of the cut face of a section. CUT_OPEN: number that is stored, instead of a trajectory, for the cut
+# face of a section, which no trajectory cut.
 SECTION, CUT_OPEN = np.array((206, 128, 96), np.uint8), -2
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
@@ -55,8 +55,8 @@ class Scene:
     def owner(self) -> np.ndarray:
         """Trajectory that cut each visible surface, or that cuts the chip, (height, width) int32, row 0 at the bottom.
 
-        The value is -1 for the raw stock, and `CUT_OPEN` for the cut face of a section. The owners are computed at the
-        first use, because most pictures are shown without their owners.
+        The value is -1 for the raw stock, and `CUT_OPEN` for the cut face of a section. The trajectories are computed
+        at the first use, because most pictures are shown without this attribute.
         """
         return self.find_owner()
 
@@ -96,8 +96,8 @@ def scene(
     frame : Frame
         Frame of the picture, with any direction, pixel size and centre.
     colors : (n + 1, 3) or (2, 3), or (rows, columns, 3) uint8
-        Either the colours by owner, see `palette`; or the colour of every cell of the part as seen from above, row 0 at
-        the bottom.
+        Either the colours of the trajectories' surfaces, see `palette`; or the colour of every cell of the part as seen
+        from above, row 0 at the bottom.
     lit : tuple of int, optional
         If given, the surfaces that the trajectories lit[0] .. lit[1] - 1 have cut are highlighted.
     background : tuple of int
@@ -160,7 +160,7 @@ def _draw_thin_cuts(
     inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
     column, row, away, owner = (part[inside] for part in (column, row, away, thin.owner))
     # The depth of a pixel belongs to the surface at its centre, which can be beside the point of the cut. Therefore the
-    # point counts as visible up to this difference in depth.
+    # point is drawn as visible up to this difference in depth.
     beside = (frame.pixel + field.frame.pixel) / max(-float(frame.direction[2]), _FLATTEST)
     seen = away < depth[row, column] + beside
     column, row, owner = column[seen], row[seen], owner[seen]
@@ -200,7 +200,7 @@ def _shaded(color: np.ndarray, brightness: np.ndarray) -> np.ndarray:
 
 
 class _Drawn(NamedTuple):
-    """Pixels that see a surface, as in `Seen`, with the surface's owner, brightness and colour, (k,) each.
+    """Pixels that see a surface (see `Seen`), and the surface's trajectory (`owner`), brightness and colour, (k,) each.
 
     The colour is 0xffRRGGBB at the brightness `BRIGHTEST`.
     """
@@ -213,10 +213,10 @@ class _Drawn(NamedTuple):
 
 
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_walls: list[_PartWalls] | None) -> _Drawn:
-    """Draw one layer of a field.
+    """Draw one layer (of columns of material) of a field.
 
-    If `part_walls` is a list, the walls of the part are appended to it. Then the owner of a wall is only known to be
-    the raw stock or an arbitrary trajectory.
+    If `part_walls` is a list, the walls of the part are appended to it. In this case, the result only shows whether a
+    wall belongs to the raw stock or was cut, but not which trajectory cut the wall.
     """
     below = frame.direction[2] > 0
     layer, towards = layer.upside_down if below else layer, _light_of(frame)

@@ -74,7 +74,7 @@ class Costs:
         return self.costs.get(simulator)
 
     def columns(self) -> dict[str, Any]:
-        """Return columns for CSV and JSON files: explanations of the advice, and costs in FreeCAD's simulators."""
+        """Return columns for CSV and JSON files: why settings are recommended, and costs in FreeCAD's simulators."""
         columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
         for simulator in _beside_the_papers():
             columns.update(simulator.figures(self.costs.get(simulator.name)))
@@ -85,7 +85,7 @@ class Costs:
         return {s.factor_column: self.factor(s.name) for s in _beside_the_papers() if s.factor_column is not None}
 
     def advice_messages(self) -> dict[str, Any]:
-        """Return the messages of the advice as data for JSON."""
+        """Return the messages that recommend settings of the simulators, as data for JSON."""
         return {advice.column: chosen and chosen.why.as_data() for advice, chosen in self._advised()}
 
     def _advised(self) -> list[tuple[Advice, Any]]:

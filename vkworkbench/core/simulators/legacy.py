@@ -25,7 +25,7 @@ NAME = "legacy"
 
 # The simulator stores a cell as a float, for its height, and a character, which is used when the mesh is made.
 _BYTES_PER_CELL = 5
-# Number of moments of a play at which the size of the mesh is estimated.
+# The size of the mesh is estimated at this number of moments, spread over the play of the simulation.
 _LOOKS = 5
 # Maximum number of commands that play shows per second at the initial position of the speed slider.
 _SPEED = 50

@@ -43,18 +43,18 @@ _PARTS = 32
 
 
 def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the numbers of steps per frame that the speed button offers in a version of FreeCAD."""
+    """Return the numbers of simulation steps per frame that the speed button offers in a version of FreeCAD."""
     return (1, 5, 10, 25, 50) if tuple(version[:2]) >= (1, 1) else (1, 10, 40)
 
 
 @dataclass(frozen=True, eq=False)
 class OpenGLWork:
-    """The numbers of steps and draw calls in the OpenGL simulator, counted exactly.
+    """The numbers of simulation steps and draw calls in the OpenGL simulator, counted exactly.
 
     Attributes
     ----------
     steps : (m,) float64
-        Number of steps in which each motion is played. The speed of a play is given in steps per frame.
+        Number of simulation steps in which each motion is played. The speed of a play is given in steps per frame.
     draws : (m,) float64
         Number of draw calls for each motion in every frame after the motion is finished.
     area : (m,) float64
@@ -133,7 +133,7 @@ class OpenGLCost:
     drawing_seconds : float
         Time to draw all motions in one frame, without the constant part of the frame's time, s.
     play_seconds : dict of int to float
-        Time of a play, s, for each speed in steps per frame.
+        Time of a play, s, for each speed in simulation steps per frame.
     memory_bytes : float
         Memory for the buffers of the motions, bytes.
     draws : int
@@ -141,7 +141,7 @@ class OpenGLCost:
     arc_draws : int
         Number of draw calls for arcs in the last frame.
     steps : int
-        Number of steps in which all motions are played.
+        Number of simulation steps in which all motions are played.
     constants : Constants
         Times and memory sizes of the simulator's steps, with which the cost was predicted.
     """
@@ -189,7 +189,7 @@ def opengl_cost(
     Parameters
     ----------
     speeds : tuple of int
-        Speeds in steps per frame; see :func:`opengl_speeds`.
+        Speeds in simulation steps per frame; see :func:`opengl_speeds`.
     quality : int
         Position of the quality slider, 1 to 10.
     constants : Constants

@@ -32,7 +32,7 @@ class Task:
         that is wider than the cutting edge. For such a tool, give the diameter of the shank as the tool's diameter.
     stock : Solid or None
     words : Words or None
-        Words of the program's commands, in which the warnings search for commands that a simulator handles wrongly.
+        Words of the operation's commands, in which the warnings search for commands that a simulator handles wrongly.
     recognition : Recognition or None
     """
 
@@ -159,7 +159,7 @@ class Caution:
 
 @dataclass(frozen=True)
 class Advice:
-    """Functions and texts for the advice on a simulator's finest setting within a budget.
+    """Functions and texts that recommend a simulator's finest setting within a budget of memory and time.
 
     Attributes
     ----------

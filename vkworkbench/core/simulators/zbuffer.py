@@ -48,8 +48,8 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
     """Estimate the cost of several operations in one z-buffer, in which each operation cuts the remaining stock.
 
     If the cost of an operation is known only from its mark in the tree, or if the operations have different stocks or
-    images, the costs are added instead. The sum includes the stock once, but material that two operations cut counts
-    twice.
+    images, the costs are added instead. The sum includes the stock once, but material that two operations cut is
+    counted twice.
     """
     if len(costs) == 1:
         return costs[0]

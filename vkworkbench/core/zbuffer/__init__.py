@@ -6,7 +6,8 @@ main classes are:
 
 * `ZBuffer`: the simulated image of the part, with the exact dexels and traces after any number of trajectories.
 * `JobFacts`: what the simulation shows about each operation, such as gouges, material left and removed volume.
-* `Estimate`: the number of records, the memory and the time of a simulation, estimated from sampled rays.
+* `Estimate`: the number of records (dexels, trace elements and gaps), the memory and the time of a simulation,
+  estimated from sampled rays.
 * `Resolution`: the smallest pixel with which a simulation stays within a budget of memory and time.
 * `OverBudget`: the error raised if a simulation needs too much memory.
 * `Speed`: the speed of this computer, with which times are estimated.

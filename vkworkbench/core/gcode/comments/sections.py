@@ -50,7 +50,7 @@ _TO = re.compile(r"End (\w+)|(?i:(?:finish|end) operation|operation done): (\S.*
 
 @dataclass(frozen=True)
 class Section:
-    """One operation of a program, in the order of cutting.
+    """One operation of an NC program, in the order of cutting.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ class Section:
 
 
 class _Mark(NamedTuple):
-    """A comment or a tool change, with its position in the program.
+    """A comment or a tool change, with its position in the NC program.
 
     Attributes
     ----------
@@ -81,7 +81,7 @@ class _Mark(NamedTuple):
     what : str, float or None
         The comment's text, or the number of the new tool; None if no T word names the tool.
     called : bool
-        Whether the mark is a comment in a subprogram.
+        Whether the text is a comment in a subprogram.
     """
 
     at: int
@@ -134,7 +134,7 @@ class _Group:
 
 
 def split_sections(program: Program) -> tuple[Section, ...]:
-    """Divide a program into its operations, at tool changes and at titles that follow a cut.
+    """Divide an NC program into its operations, at tool changes and at titles that follow a cut.
 
     Returns
     -------

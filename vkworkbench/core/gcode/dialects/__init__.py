@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognize the dialect of a program, and texts that are not G-code for a mill.
+"""Recognize the dialect of an NC program, and texts that are not G-code for a mill.
 
 `Dialect` contains the properties in which dialects differ. A new dialect is an entry in `dialect.py`. `dialect_of`
 finds the dialect of a text. `refuse` rejects programs in the languages of other controls, and `check` rejects texts
-that are not programs. `Clues` collects the signs that a program is for another machine than a mill.
+that are not NC programs. `Clues` collects the signs that a program is for another machine than a mill.
 """
 
 from vkworkbench.core.gcode.dialects.clues import Clues

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find signs of the machine for which a program was written, for example a lathe, in the program's words."""
+"""Find signs of the machine for which an NC program was written, for example a lathe, in the program's words."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _EXTRUSIONS = 10  # largest number of moves whose E words count as typing errors
 
 
 class Clues:
-    """Signs, found in the words of a program, of the machine for which the program was written.
+    """Signs, found in the words of an NC program, of the machine for which the program was written.
 
     Attributes
     ----------
@@ -76,11 +76,11 @@ class Clues:
         Parameters
         ----------
         codes : list of int
-            The line's G-codes, in tenths.
+            The line's G-codes, as ten times their numbers, e.g. 200 for G20.
         parameters : dict
             The line's words, without G, M, S, T, N and O words.
         mode : int
-            The motion in force, in tenths of its G-code.
+            The G-code of the motion in force, as ten times its number, e.g. 10 for G1.
         feed : float
             The line's feed rate, mm/min; 0 without an F word, and under G93 and G95.
         line : int

@@ -15,11 +15,13 @@ class Dialect:
     feed_time : float
         The time unit of feed rates, s: 60 for feed rates per minute.
     feeds_in_mm : frozenset of int
-        G-codes, in tenths, that set the unit of lengths and do not change the unit of feed rates.
+        G-codes (as ten times their numbers, e.g. 200 for G20) that set the unit of lengths and do not change the unit
+        of feed rates.
     codes : frozenset of int or None
-        G-codes, in tenths, that have their usual meaning in this dialect; None if all G-codes have their usual meaning.
+        G-codes (as ten times their numbers) that have their usual meaning in this dialect; None if all G-codes have
+        their usual meaning.
     data : frozenset of int
-        G-codes, in tenths, whose words are data and do not move the tool.
+        G-codes (as ten times their numbers) whose words are data and do not move the tool.
     has_pole : bool
         Whether I, J and K words are the coordinates of a centre, which is used for all later arcs.
     calls : bool

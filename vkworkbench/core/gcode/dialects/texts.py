@@ -40,7 +40,7 @@ _FEED_OF_PATH = re.compile(r"G[123] F\d+\.\d{6}(?: [I-KX-Z]-?\d+\.\d{6})+ *\r?")
 
 
 def dialect_of(text: str) -> Dialect:
-    """Return the dialect of the text of a program."""
+    """Return the dialect of the text of an NC program."""
     feeds = _FEEDS.finditer(text)
     first = next(feeds, None)
     if first is not None and all(_FEED_OF_PATH.fullmatch(feed[0]) for feed in chain([first], feeds)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Define the exceptions for programs that cannot be followed further, and for lines that cannot be read."""
+"""Define the exceptions for NC programs that cannot be followed further, and for lines that cannot be read."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from vkworkbench.language import Message
 
 
 class Ended(Exception):
-    """The rest of the program cannot be followed.
+    """The rest of the NC program cannot be followed.
 
     Parameters
     ----------

@@ -20,9 +20,9 @@ from vkworkbench.language import Message
 # Largest number of program lines read in loops, after jumps back and in calls; a line counts at each run.
 MOST_LINES = 1_000_000
 MOST_IDLE_LINES = 100_000  # largest number of successive lines in loops and calls that add no command
-MOST_STEPS = 20_000_000  # largest number of steps in all calculations, which limits the time for them
+MOST_STEPS = 20_000_000  # largest number of calculation steps, which limits the time for all calculations
 DEEPEST = 10  # largest depth of nested calls of subprograms
-# Largest number of commands of a program with loops, jumps or calls; a toolpath has at most this many moves.
+# Largest number of commands of an NC program with loops, jumps or calls; a toolpath has at most this many moves.
 MOST_COMMANDS = 5_000_000
 
 _UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # an assignment to a variable, in a line that cannot be parsed
@@ -48,7 +48,7 @@ _METHODS = {
 
 
 class Flow:
-    """The variables, loops and jumps of a program.
+    """The variables, loops and jumps of an NC program.
 
     Parameters
     ----------
@@ -347,8 +347,9 @@ class Flow:
     def _if_then(self, _index: int, control: Control) -> Step:
         """Perform an assignment with a condition.
 
-        If the condition depends on the machine, the assigned variables become unknown, and reading continues. An
-        assignment to #3000, which raises an alarm, is then ignored, because a control that raises the alarm stops.
+        If the condition depends on the machine, the assigned variables are unknown from there on, and reading
+        continues. An assignment to #3000, which raises an alarm, is then ignored, because a control that raises the
+        alarm stops.
         """
         then = control.then
         if then is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parse one line of a program: control statement, assignments, and words whose values are expressions."""
+"""Parse one line of an NC program: control statement, assignments, and words whose values are expressions."""
 
 from __future__ import annotations
 
@@ -55,9 +55,10 @@ class Words:
     Attributes
     ----------
     assigned : tuple of (Postfix, Postfix)
-        For each assignment, the steps that would read the variable, and the steps that calculate the new value.
+        For each assignment, the calculation steps that would read the variable, and the steps that calculate the new
+        value.
     pieces : tuple of (str, str, Postfix)
-        For each word with a computed value: the text before the word, the letter, and the steps that calculate the
+        For each word with a computed value: the text before the word, the letter, and the calculation steps for the
         value.
     rest : str
         The text after the last word with a computed value.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find where the loops, conditions and subprograms of a program begin and end."""
+"""Find where the loops, conditions and subprograms of an NC program begin and end."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Block:
     marks : list of int
         Indices of the block's first line, of its ELSEIF and ELSE lines, and of its last line.
     closed : bool
-        Whether the program contains the end of the block, which is then the last element of `marks`.
+        Whether the NC program contains the end of the block, which is then the last element of `marks`.
     """
 
     kind: str
@@ -52,7 +52,7 @@ class Block:
 
 
 class Structure:
-    """The loops, conditions and subprograms (blocks) of a program.
+    """The loops, conditions and subprograms (blocks) of an NC program.
 
     Parameters
     ----------

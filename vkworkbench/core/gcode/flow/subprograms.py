@@ -33,7 +33,7 @@ def calls_block(m_code: float, letters: Collection[str]) -> bool:
 
 
 class Subprograms:
-    """The programs and subprograms in a text, which can call each other.
+    """The NC programs and subprograms in a text, which can call each other.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the values of a program's variables: #1, #500, #<depth>, #<_depth>."""
+"""Store the values of an NC program's variables: #1, #500, #<depth>, #<_depth>."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _KEPT_FROM, _KEPT_TO = 500, 999  # Fanuc: variables that keep their values when 
 
 @dataclass
 class Frame:
-    """The local variables in one run of a program or subprogram.
+    """The local variables in one run of an NC program or subprogram.
 
     Attributes
     ----------
@@ -58,7 +58,7 @@ class Frame:
 
 
 class Variables:
-    """The variables of a program, with their values before the current line.
+    """The variables of an NC program, with their values before the current line.
 
     Parameters
     ----------

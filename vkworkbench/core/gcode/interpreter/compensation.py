@@ -66,7 +66,7 @@ def follow(machine: Machine, mode: int, move: dict[str, float]) -> None:
     machine : Machine
         Machine whose `compensation` is not None.
     mode : int
-        The motion, in tenths of its G-code.
+        The G-code of the motion, as ten times its number, e.g. 10 for G1.
     move : dict
         The words of the move in the coordinates of the toolpath, mm.
     """

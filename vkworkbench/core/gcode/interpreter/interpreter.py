@@ -46,7 +46,7 @@ class Interpreter(Machine):
         )
 
     def with_tool_changes(self) -> Commands:
-        """Return the commands; in a program without M6, each T word with a new number becomes a tool change."""
+        """Return the commands; in a program without M6, each T word with a new number is a tool change."""
         return tools.with_changes(self)
 
     def block(self, number: int, words: list[tuple[str, float]], letters: set[str], *, deleted: bool) -> bool:
@@ -133,7 +133,7 @@ class Interpreter(Machine):
         number : int
             Line of the text, counted from 1.
         unit : int
-            G-code of the unit, in tenths: 700 for inches, 710 for mm.
+            Ten times the G-code of the unit: 700 (G70) for inches, 710 (G71) for mm.
 
         Returns
         -------

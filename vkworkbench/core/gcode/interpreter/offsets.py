@@ -25,7 +25,7 @@ def select(machine: Machine, offset: tuple[int, float]) -> None:
 
 
 def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
-    """Return the work offset that a G-code selects, or None: the G-code in tenths, and the number of the work offset.
+    """Return the work offset that a G-code selects, or None: ten times the G-code, and the number of the work offset.
 
     The number is the P word of G54.1 and G154, the H word of Okuma's G15, and 0 for other G-codes.
     """

@@ -28,7 +28,7 @@ def chords(code: int, words: dict[str, float], start: Point, end: Point) -> np.n
     Parameters
     ----------
     code : int
-        G5 (cubic) or G5.1 (quadratic), in tenths.
+        50 for G5 (cubic) or 51 for G5.1 (quadratic).
     words : dict
         I and J are the vector from the start to the first control point, mm. P and Q of G5 are the vector from the end
         to the second control point, mm.

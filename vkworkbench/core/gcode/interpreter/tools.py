@@ -35,7 +35,7 @@ def take(machine: Machine, line: Line, *, change: bool) -> None:
 
 
 def with_changes(machine: Machine) -> Commands:
-    """Return the commands; in a program without M6, each T word with a new number becomes a tool change."""
+    """Return the commands; in a program without M6, each T word with a new number is a tool change."""
     if machine.changes:
         return machine.commands
     tool = None

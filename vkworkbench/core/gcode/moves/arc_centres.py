@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read the centre words (I, J, K) and the number of turns (P) of a program's arcs."""
+"""Read the centre words (I, J, K) and the number of turns (P) of an NC program's arcs."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def resolve_arcs(
     usable = (turns <= _MOST_TURNS) & (turns % 1 == 0)
     problems.add(rows[~usable & (turns > 1)], Message("turns-not-read"))
     resolved.sweep[:] += np.sign(resolved.sweep) * np.where(usable & (turns > 1), turns - 1, 0) * 2 * np.pi
-    resolved.sweep[unknown_start] = 0.0  # an unknown start equals the end, so the arc becomes a line with zero length
+    resolved.sweep[unknown_start] = 0.0  # an unknown start equals the end, so the arc has zero length
     return resolved
 
 

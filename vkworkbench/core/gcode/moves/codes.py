@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Define the G-codes, grouped by function, and convert between names of commands and numbers.
 
-The number of a G-code is in tenths (G90.1 is 901). Other commands have negative numbers.
+A G-code is stored as ten times its number (200 for G20, 901 for G90.1). Commands that are not G-codes have negative
+numbers.
 """
 
 from __future__ import annotations
@@ -84,7 +85,7 @@ _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 
 
 def code_of(name: str) -> int:
-    """Return the number for the name of a command: a G-code in tenths, or one of the negative numbers above.
+    """Return the number for a command's name: ten times the number of a G-code, or a negative number defined above.
 
     ``G01`` and ``g1`` have the same number. An empty name continues the last motion (a modal line).
     """
@@ -105,7 +106,7 @@ def code_of(name: str) -> int:
 
 
 def name_of(code: int) -> str:
-    """Return the name of a G-code in tenths, e.g. ``"G90.1"``."""
+    """Return the name of a G-code, e.g. ``"G90.1"`` for 901, which is ten times its number."""
     return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"
 
 

@@ -86,7 +86,8 @@ def heights(
         The cycles' own R and Z words, mm; NaN where absent.
     to_retract_plane : (m,) bool
         Whether G99 is in force, under which a cycle ends at R. Under G98, a cycle ends at the height at the start of
-        its series, or at R if R is higher. If the hole is drilled upwards, the lower of both heights counts.
+        its series, or at R if R is higher. If the hole is drilled upwards, a cycle under G98 ends at the lower of both
+        heights.
 
     Returns
     -------
@@ -149,7 +150,7 @@ def moves(
     Parameters
     ----------
     code : (m,) int
-        G-code in tenths.
+        G-code of each cycle, as ten times its number, e.g. 810 for G81.
     start : (m, 3) float64
         Position before the cycle, mm.
     hole : (m, 2) float64

@@ -59,7 +59,7 @@ class Program:
     dwells: tuple[tuple[int, float], ...] = ()
 
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
-        """Return the trajectories of the whole program, with its problems.
+        """Return the trajectories of the whole NC program, with its problems.
 
         The toolpath's `command` contains lines of the text instead of indices of commands, and so do its problems.
         `commands` is the last line + 1.

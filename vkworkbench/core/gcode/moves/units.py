@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Detect wrong units in programs without a unit: inches or thousandths read as mm, and mm/min read as mm/s."""
+"""Detect wrong units in NC programs without a unit: inches or thousandths read as mm, and mm/min read as mm/s."""
 
 from __future__ import annotations
 

@@ -42,7 +42,8 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     words : Words
         The words of n commands.
     motion : (n,) int
-        The motion of each command, in tenths of its G-code; negative if the command is not a motion.
+        The G-code of each command's motion, as ten times its number, e.g. 10 for G1; negative if the command is not a
+        motion.
 
     Yields
     ------

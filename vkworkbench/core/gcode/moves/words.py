@@ -72,7 +72,7 @@ class Words:
         self.second_rows, self.second_codes = self._second_codes(_CARRIERS.intersection(table.values()))
 
     def _second_codes(self, states: frozenset[int]) -> tuple[np.ndarray, np.ndarray]:
-        """Set the code of each command to its motion; return the rows and the values of all other codes, (m,) int.
+        """Set the code of each command to its motion; return the indices and the values of all other codes, (m,) int.
 
         FreeCAD stores ``G90 G1 X45`` as G90 with the parameters G and X, and ``G90 X45`` as G90 with the parameter X.
         Post processors write these words unchanged, so machines move the tool. In the command after a G28 without
@@ -143,7 +143,7 @@ class Words:
 
 
 def _codes_of(numbers: np.ndarray) -> np.ndarray:
-    """Return G-codes in tenths, (m,) int; UNKNOWN for numbers that are not G-codes."""
+    """Return G-codes as ten times their numbers, (m,) int; UNKNOWN for numbers that are not G-codes."""
     usable = (numbers >= 0) & (numbers < 1000)
     tenths = np.rint(10 * np.where(usable, numbers, 0.0))
     codes: np.ndarray = np.where(usable, tenths, UNKNOWN).astype(np.int64)

@@ -293,8 +293,8 @@ class Section:
     def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
         """Yield the rings that are cut after some strokes, (s,) int, then the rings that are cut before these strokes.
 
-        The rings are indices of pieces. With either rings, also yield how far the strokes lie inside the rings'
-        bounding boxes, mm, and whether stroke and ring have the same depth.
+        The rings are indices of pieces. For each of the two choices, the iterator also yields how far the strokes lie
+        inside the rings' bounding boxes, mm, and whether stroke and ring have the same depth.
         """
         pieces, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)

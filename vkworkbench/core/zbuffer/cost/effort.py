@@ -25,9 +25,9 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Kind
 
 # Number of pairs of a tile and a trajectory in the sample of each level: `_PAIRS` for each kind of trajectory, plus one
 # pair for each trajectory, but at most `_CROWDED` pairs. The number of pairs grows with the number of kinds, because
-# operations with different tools cut different tiles. It grows with the number of trajectories, because a few tiles
-# with long lists would otherwise fill the sample. `_LOOKED_AT` is the approximate number of pairs that are tested for
-# the tiles of the first level.
+# operations with different tools cut different tiles. The number of pairs also grows with the number of trajectories,
+# because a few tiles with long lists would otherwise fill the sample. `_LOOKED_AT` is the approximate number of pairs
+# that are tested for the tiles of the first level.
 _PAIRS = 12_000
 _CROWDED = 40_000
 _LOOKED_AT = 2_000_000
@@ -41,10 +41,10 @@ _SEED = 2002
 # bull-nose tool) + 2 * (1 if the move is sloped) + (1 if the view is oblique). benchmarks/learn_effort.py fits the
 # costs below, as multiples of the times in `Speed`. TESTS is the cost of testing a pair of a tile and a trajectory.
 # CELLS is the cost of a cell; a cell is the cutting of one pixel's ray by one trajectory. SORTED is the additional cost
-# of a cell on a ray whose intervals are sorted. RECORDS is the cost of a record in a vertical view and in an oblique
-# view. For a bull-nose in an oblique view, cutting a cell between the ends of the move takes about three times as long
-# as cutting a cell at an end, whether the move is level or sloped. Therefore, in CELLS only, kind 13 means "at an end
-# of the move" and kind 15 means "between the ends" instead of "level" and "sloped".
+# of a cell on a ray whose intervals are sorted. RECORDS is the cost of a record (dexel, trace element or gap) in a
+# vertical view and in an oblique view. For a bull-nose in an oblique view, cutting a cell between the ends of the move
+# takes about three times as long as cutting a cell at an end, whether the move is level or sloped. Therefore, in CELLS
+# only, kind 13 means "at an end of the move" and kind 15 means "between the ends" instead of "level" and "sloped".
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -83,8 +83,8 @@ class Work:
     bands : float
         Number of bands (`TILE` rows of pixels), from the lowest to the highest band that trajectories reach.
     kinds : float
-        Mean number of kinds of trajectories that reach a band. The simulator processes the pairs of each kind
-        separately.
+        Mean number of kinds of trajectories that reach a band. The simulator processes the pairs of a tile and a
+        trajectory of each kind separately.
     """
 
     trajectories: float
@@ -100,14 +100,15 @@ class Work:
     def amounts(self, growth: float = 1.0) -> np.ndarray:
         """Return how often each step timed by `Speed` is executed for an image with `growth` times as many pixels.
 
-        The number of pairs for tiles with a given side in mm does not depend on the image. In an image with smaller
-        pixels, tiles with a given side in pixels are smaller in mm.
+        The number of pairs of a tile and a trajectory, for tiles with a given side in mm, does not depend on the image.
+        In an image with smaller pixels, tiles with a given side in pixels are smaller in mm.
 
         Returns
         -------
         (7,) float64
-            Numbers of trajectories, pixels, first pairs, batches of pairs of one kind, tests, cells and records; tests,
-            cells and records are weighted with TESTS, CELLS, SORTED and RECORDS.
+            Numbers of trajectories, pixels, pairs of a trajectory and a tile of the largest size, batches of pairs of
+            one kind, tests, cells and records. Tests, cells and records are weighted with TESTS, CELLS, SORTED and
+            RECORDS.
         """
         levels = np.array(self.pairs).reshape(-1, KINDS)
         pairs, tests = _shift_levels(levels.sum(axis=1), growth), _shift_levels(levels @ TESTS, growth)
@@ -124,9 +125,9 @@ class Work:
     def _cell_growth(self, growth: float) -> float:
         """Return the factor by which the number of cells grows if the number of pixels grows by `growth`.
 
-        The result is the geometric mean of two models. In the first model, the number of pairs grows from each level to
-        the next as much as it grew in the last known level. In the second model, the number of cells is proportional to
-        the number of pixels.
+        The result is the geometric mean of two models. In the first model, the number of pairs of a tile and a
+        trajectory grows from each level of tiles to the next by the same factor as in the last known level. In the
+        second model, the number of cells is proportional to the number of pixels.
         """
         if not self.pairs or sum(self.cells) == 0:
             return growth
@@ -230,12 +231,12 @@ def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def _count_pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
-    """Return the estimated number of pairs of each kind, (KINDS,). Each pair counts with the weight of its tile."""
+    """Return the estimated number of pairs of each kind, (KINDS,). Each pair has the weight of its tile."""
     return np.bincount(kind[tiles.item], np.repeat(weight, np.diff(tiles.first)), KINDS)
 
 
 def _kind_number(kind: Kind, upright: bool) -> int:
-    """Return the number of a kind of pairs; see `KINDS`."""
+    """Return the number of a kind of pairs of a tile and a trajectory; see `KINDS`."""
     tool = kind.tool
     rounded = 2 if tool.rounding == tool.radius else 3
     shape = rounded if tool.rounding else int(tool.steepness > 0)
@@ -268,7 +269,7 @@ def _draw_tiles(
     if size.sum() <= pairs:
         return tiles, weight
     likely = weight * np.diff(np.append(0.0, np.cumsum(cost)).take(tiles.first))
-    usual = float((likely * size).sum()) / likely.sum()  # mean number of pairs in a drawn tile
+    usual = float((likely * size).sum()) / likely.sum()  # mean number of trajectories in a drawn tile
     count = max(1, int(pairs / usual))
     if count >= len(size):
         return tiles, weight

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimate the number of records, the memory and the time of a simulation without running it."""
+"""Estimate a simulation's number of dexels, trace elements and gaps, its memory and its time without running it."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def estimate(
     """Estimate the cost of simulating an operation from a few hundred rays that are simulated exactly.
 
     The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
-    are cut in the order of the program. The recognised strategy only appears in the explanation of the result.
+    are cut in the order of the NC program. The recognised strategy only appears in the explanation of the result.
 
     Parameters
     ----------

@@ -54,7 +54,8 @@ class Speed:
     meeting : float
         Time to compare one trajectory with one tile of the largest size.
     block : float
-        Time for one batch of pairs of one kind, in addition to the time for the pairs in the batch.
+        Time for one batch of pairs (of a tile or pixel and a trajectory) of one kind, in addition to the time for the
+        pairs in the batch.
     test : float
         Time to test one pair of a tile and a trajectory.
     cell : float
@@ -93,7 +94,7 @@ USUAL = Speed()
 
 
 def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callable[[], object] = lambda: None) -> Speed:
-    """Time the simulator on straight rows, circles and a wavy surface until repeated times agree.
+    """Time the simulator on straight passes, circles and a wavy surface until repeated times agree.
 
     The measurement takes about two seconds. The images are nearly as large as real images, because in small images the
     overhead of numpy's calls takes most of the time.
@@ -101,7 +102,8 @@ def measure_speed(clock: Callable[[], float] = processor_clock, going_on: Callab
     Parameters
     ----------
     clock : callable
-        Returns a time, s. The default is the processor time, because other programs do not influence it.
+        Returns a time, s. The default is the processor time, because other processes on the computer do not influence
+        the processor time.
     going_on : callable
         Called before each simulation, several times a second. An exception raised by `going_on` stops the measurement.
 
@@ -160,7 +162,7 @@ def _square(side: int, direction: tuple[float, float, float] = _TOP) -> View:
 
 
 def _rows(count: int) -> Toolpath:
-    """Return an even number of straight rows at one height, cut back and forth."""
+    """Return an even number of straight parallel passes at one height, cut back and forth."""
     x, y = np.tile([8.0, 52.0, 52.0, 8.0], count // 2), np.repeat(np.linspace(8, 52, count), 2)
     return Toolpath.through(np.column_stack((x, y, np.full(len(x), 15.0))))
 
@@ -175,7 +177,7 @@ def _loops(count: int) -> Toolpath:
 
 
 def _surface(count: int) -> Toolpath:
-    """Return an even number of rows over a wavy surface, cut back and forth."""
+    """Return an even number of parallel passes over a wavy surface, cut back and forth."""
     row = np.linspace(0, 60, 31)
     x, y = np.tile(np.concatenate((row, row[::-1])), count // 2), np.repeat(np.linspace(0, 60, count), len(row))
     return Toolpath.through(np.column_stack((x, y, 13 + 3 * np.sin(x / 9) * np.cos(y / 11))))

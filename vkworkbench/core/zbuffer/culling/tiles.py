@@ -54,8 +54,8 @@ class Bounds(Protocol):
         column, row : (t,) ndarray of int
             Column and row of each tile's first pixel.
         tile, item : (p,) ndarray of int
-            The number of the tile, and the trajectory's position in `Trajectories.index`, of each pair. The pairs are
-            sorted by tile and then by trajectory.
+            The number of the tile, and the trajectory's position in `Trajectories.index`, of each pair of a tile and a
+            trajectory. The pairs are sorted by tile and then by trajectory.
         child : int
             Side of a quarter, pixels.
 
@@ -72,7 +72,7 @@ class Bounds(Protocol):
         Parameters
         ----------
         tile : (p,) ndarray of int
-            Number of the tile of each pair in `tiles`.
+            Number of the tile of each pair of a tile and a trajectory in `tiles`.
         near, far : (side * side, t) ndarray
             Depths at which the rays of the tiles' pixels enter and leave the stock, row by row; ``near > far`` for rays
             that miss the stock.
@@ -259,14 +259,14 @@ def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles
 def deeper_pairs(
     tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
 ) -> np.ndarray:
-    """Return the pairs whose trajectory reaches deeper in its tile than earlier trajectories have opened the tile.
+    """Return the pairs of a tile and a trajectory that reaches deeper than earlier trajectories have opened the tile.
 
     Parameters
     ----------
     tile : (p,) ndarray of int
-        Tile of each pair, ascending.
+        Tile of each pair of a tile and a trajectory, ascending.
     start : (t,) ndarray of int
-        Position of each tile's first pair.
+        Position of each tile's first pair of a tile and a trajectory.
     reach, opens : (p,) ndarray
         Largest depth that each pair's trajectory reaches in its tile, and the depth to which the trajectory opens all
         rays of the tile from their near end. A `reach` of -inf or NaN means that the trajectory does not meet the tile,

@@ -192,12 +192,12 @@ def _not_yet_open(
     near: np.ndarray,
     far: np.ndarray,
 ) -> np.ndarray:
-    """Return the pairs that can remove material between the depths to which the rays are open from their two ends.
+    """Return the pairs whose trajectory can remove material between the depths to which the tile's rays are open.
 
     Parameters
     ----------
     tile : (p,) ndarray of int
-        Tile of each pair, ascending.
+        Tile of each pair of a tile and a trajectory, ascending.
     enter, leave : (p,) ndarray
         Depths between which the pair's trajectory can cut rays of the tile, mm.
     all_enter, all_leave : (p,) ndarray
@@ -211,7 +211,7 @@ def _not_yet_open(
     start = beginnings(tile)
     near, far = near.take(tile), far.take(tile)
     # The depths of each tile are shifted past the depths of all earlier tiles, so that one running maximum or minimum
-    # over all pairs starts anew in each tile.
+    # over all pairs of a tile and a trajectory starts anew in each tile.
     offset = tile * (far.max() - near.min() + 1)
     holds = all_enter <= all_leave
     all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)

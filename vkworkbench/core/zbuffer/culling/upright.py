@@ -22,8 +22,8 @@ from vkworkbench.core.zbuffer.sweeps.intervals import lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Margin for comparing a squared distance with the tool's squared radius, mm^2. With a smaller margin, a rounding error
-# at the tool's rim could drop a trajectory that cuts the tile. With a larger margin, more trajectories that miss the
-# tile would stay in the tile's list.
+# at the tool's outer edge (rim) could drop a trajectory that cuts the tile. With a larger margin, more trajectories
+# that miss the tile would stay in the tile's list.
 _RIM = 1e-9
 # Distance from the boundary of a swept area, mm, below which `Trajectories.passing` decides whether a ray is inside.
 # With a smaller distance, rounding errors could give different results for a ray in a tile and for the same ray cut
@@ -84,7 +84,7 @@ class Upright:
         return Removals(hit, np.maximum(-depth.ravel()[hit], near[ray]), far[ray])
 
     def _opened_depths(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Return the depth, mm, to which the trajectory of each pair opens each ray of its tile, (pixels of a tile, p).
+        """Return the depth to which each pair's trajectory opens each ray of the pair's tile, (pixels of a tile, p) mm.
 
         The pixel columns of the tiles are at `x` (1, side, p), and the pixel rows at `y` (side, 1, p), mm.
         """
@@ -152,7 +152,7 @@ class Squares(NamedTuple):
 def _bounds_by_kind(
     kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], squares: Squares
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `bounds` for pairs whose trajectories have different tools, or are partly level and partly sloped."""
+    """Compute `bounds` for pairs of a square and a move with different tools, or with level moves and sloped moves."""
     if len(kinds) == 1:
         tool, _, slopes = kinds[0]
         return bounds(tool, slopes, squares)

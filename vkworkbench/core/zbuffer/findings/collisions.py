@@ -380,7 +380,7 @@ class _Removed:
 
     @classmethod
     def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
-        """Convert removed pieces, whose owners are simulated moves, to pieces with trajectories of the job.
+        """Convert removed pieces, each removed by a simulated move, to pieces with trajectories of the job.
 
         The pieces are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each simulated move
         was made.

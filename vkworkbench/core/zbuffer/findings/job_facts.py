@@ -36,7 +36,7 @@ _FAULTS = ("crashes", "first_crash_command", "fast_plunges", "deepest_gouge", "s
 
 @dataclass(frozen=True)
 class CutFacts:
-    """Facts on one operation, or on several operations together.
+    """Facts of the simulation on one operation, or on several operations together.
 
     Attributes
     ----------
@@ -101,7 +101,7 @@ class CutFacts:
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the facts as a dictionary of numbers and of lists of faults, with the place of each fault.
+        """Return the facts of the simulation as a dictionary of numbers, and of lists of faults with their places.
 
         Lengths are in mm, times in s, volumes in mm^3, removal rates in mm^3/min and feeds in mm/s.
         """
@@ -148,7 +148,7 @@ class CutFacts:
         }
 
     def cells(self) -> dict[str, float | int | None]:
-        """Return the facts as one row of a table with the columns `FACT_COLUMNS`.
+        """Return the facts of the simulation as one table row with the columns `FACT_COLUMNS`.
 
         Faults of each kind are summarised by their number, or by their largest depth, mm.
         """
@@ -173,12 +173,12 @@ FACT_COLUMNS = (*_NUMBERS, *_FAULTS)
 
 @dataclass(frozen=True)
 class JobFacts:
-    """Facts on a simulated job.
+    """Facts of the simulation on a job.
 
     Attributes
     ----------
     cuts : tuple of CutFacts
-        Facts on each operation separately.
+        Facts of the simulation on each operation separately.
     job : CutFacts
         Facts on all operations together. Only these facts include deviations without a source: leftover material where
         no operation cut (in `left`), and places where the stock is too small for the model (in `gouges`).
@@ -200,7 +200,7 @@ def facts(
     tolerance: float = TOLERANCE,
     collisions: Collisions | None = None,
 ) -> JobFacts:
-    """Compute the facts on every operation and on the job.
+    """Compute the facts of the simulation on every operation and on the job.
 
     Parameters
     ----------
@@ -343,7 +343,7 @@ def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]
 def verdict_on(
     zbuffer: ZBuffer, job: CutFacts, checked: CrashCheck, *, compared: bool, collisions: Collisions | None = None
 ) -> Verdict:
-    """Return the verdict on a job.
+    """Return the verdict on a job's safety.
 
     Parameters
     ----------

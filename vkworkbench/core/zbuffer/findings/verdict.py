@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Provide the verdict on a job as one message, with the faults, the size of the pixels, and what was not checked."""
+"""Provide the verdict on a job's safety as one message: faults, size of the pixels, and what was not checked."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.core.zbuffer.findings.collisions import Collisions
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
 from vkworkbench.language import Message
 
-# Sentence of the verdict if shanks, holders and clamps were not checked.
+# Sentence of the verdict on a job's safety if shanks, holders and clamps were not checked.
 UNATTACHED = Message("attachments-unchecked")
 
 
@@ -75,7 +75,7 @@ class Verdict:
         return self.is_checked and not self.unread and not self._faults()
 
     def message(self, labels: Sequence[str]) -> Message:
-        """Return the verdict as one message.
+        """Return the verdict on the job's safety as one message.
 
         Parameters
         ----------
@@ -130,5 +130,5 @@ class Verdict:
         return tuple(sentences)
 
 
-# The verdict before a job is checked.
+# The verdict on a job's safety before the job is checked.
 PENDING = Verdict()

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimate the number of records in the image of a simulation, and the memory that these records need."""
+"""Estimate the number of dexels, trace elements and gaps in a simulated image, and the memory that they need."""

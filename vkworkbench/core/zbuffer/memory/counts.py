@@ -44,7 +44,7 @@ class Counts:
         Share of `passes` on rays whose removed intervals are not connected. The simulator sorts the intervals of such
         rays only; see `chains.py`.
     band : float
-        Number of records in the fullest band of `TILE` pixel rows.
+        Number of dexels, trace elements and gaps in the fullest band of `TILE` pixel rows.
     pixels : int
         Number of pixels in the image.
     """
@@ -67,10 +67,10 @@ class Counts:
 
 
 def count(removal: Removal) -> Counts:
-    """Estimate the numbers of records of a simulation.
+    """Estimate the numbers of records (dexels, trace elements and gaps) of a simulation.
 
     The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
-    are cut in the order of the program.
+    are cut in the order of the NC program.
 
     Returns
     -------
@@ -115,9 +115,9 @@ def count(removal: Removal) -> Counts:
 def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
     """Return whether the removed intervals of each ray are not connected, (rays,) bool.
 
-    The intervals are not connected if a piece between two other pieces of the ray was removed later than both
-    neighbours, so its owner is greater than their owners. A piece that no trajectory removes has the greatest owner,
-    `UNCUT`.
+    The intervals are not connected if a piece between two other pieces of the ray was removed by a later trajectory
+    than both neighbours, so its owner is greater than the neighbours' owners. A piece that no trajectory removes has
+    the greatest owner, `UNCUT`.
     """
     owner, ray = pieces.owner, pieces.ray
     peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))

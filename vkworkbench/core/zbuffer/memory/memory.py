@@ -39,7 +39,7 @@ _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 10
 _PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
-# Share of its length by which an array of records is enlarged when it is full.
+# Share of its length by which an array of dexels, trace elements and gaps is enlarged when it is full.
 _SPARE = 1 / 8
 # Number of standard errors that is added to the estimated number of trace elements.
 _ERRORS = 2.0
@@ -90,7 +90,7 @@ class Peak:
     stock : float
         Number of pieces on all rays through the uncut stock.
     band : float
-        Number of records in the fullest band of the image.
+        Number of dexels, trace elements and gaps in the fullest band of the image.
     pixels : int
         Number of pixels of the image.
     trajectories : int
@@ -231,7 +231,7 @@ def helpers_within(allowed: float, removal: Removal, trajectories: int) -> int:
 
 
 def _most_records(removal: Removal) -> float:
-    """Return an upper bound of the number of records; infinite if the stock is a mesh.
+    """Return an upper bound of the number of dexels, trace elements and gaps; infinite if the stock is a mesh.
 
     The upper bound is computed from the number of pixels in the bounding box of each trajectory in the image.
     """

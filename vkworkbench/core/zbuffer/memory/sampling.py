@@ -77,10 +77,11 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     """Draw up to `_RAYS` rays in the part of the image that swept volumes reach, one ray in each stratum.
 
     This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories
-    whose bounding boxes touch the cell, because the number of records varies more in cells with more trajectories. The
-    strata are stretches of equal weight along a Morton curve (Morton 1966), a path through all cells on which
-    neighbouring cells are close to each other. In each stratum, one random point is drawn, and the pixel that contains
-    the point gives the ray. Therefore a slot narrower than a pixel counts as often as in the simulated image.
+    whose bounding boxes touch the cell, because the number of dexels and trace elements varies more in cells with more
+    trajectories. The strata are stretches of equal weight along a Morton curve (Morton 1966), a path through all cells
+    on which neighbouring cells are close to each other. In each stratum, one random point is drawn, and the pixel that
+    contains the point gives the ray. Therefore a slot narrower than a pixel has the same probability to be hit as in
+    the simulated image.
 
     Returns
     -------
@@ -91,7 +92,7 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     if len(removal.index) == 0:
         return _NOWHERE
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    margin = frame.pixel / 2  # a swept volume that reaches a pixel's centre counts for the whole pixel
+    margin = frame.pixel / 2  # a swept volume that reaches a pixel's centre reaches the whole pixel
     low, high = seen_box(removal.stock, frame)
     low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
     high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)

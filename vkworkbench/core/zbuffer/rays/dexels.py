@@ -117,9 +117,9 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
     """Return, for each of the numbers 0 to `slots` - 1 (slots), the lowest value of the ranges that contain the slot.
 
     A range contains a slot if ``first <= slot < last``. Each range is the union of two ranges, which can overlap; the
-    length of both is the largest power of two that is not longer than the range. Both receive the value in the table
-    for this power of two. Starting with the largest power of two, the values of each table are then passed on to the
-    table for half the length, until the ranges consist of one slot. The method is a sparse table for range minimum
+    length of both is the largest power of two that is not longer than the range. Both ranges receive the value in the
+    table for this power of two. Starting with the largest power of two, the values of each table are then passed on to
+    the table for half the length, until the ranges consist of one slot. The method is a sparse table for range minimum
     queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
@@ -151,7 +151,7 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
 
 
 def merged(pieces: Pieces) -> Pieces:
-    """Return the pieces, with neighbouring pieces of a ray joined if they have the same owner."""
+    """Return the pieces, with neighbouring pieces of a ray joined if the same trajectory removes them."""
     new = np.ones(len(pieces.ray), bool)
     new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
     start = np.flatnonzero(new)

@@ -22,16 +22,17 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
         Depth to which a trajectory opens a ray, mm; NaN if the trajectory misses the ray. Each row belongs to one of
         the q pixels of a tile, each column to one of p pairs of a tile and a trajectory.
     tile : (p,) ndarray of int
-        Tile of each pair, ascending. The pairs of one tile are in the order in which their trajectories are cut.
+        Tile of each pair of a tile and a trajectory, ascending. The pairs of one tile are in the order in which their
+        trajectories are cut.
     start : (t,) ndarray of int
-        Position of each tile's first pair.
+        Position of each tile's first pair of a tile and a trajectory.
     near, far : (q, t) ndarray
         Depths at which the rays enter and leave the stock, mm; ``near > far`` for rays that miss the stock.
     """
     deepest = float(np.fmax.reduce(depth, axis=None, initial=0.0))
     highest = float(near.min(initial=deepest))
     # The depths of each tile are shifted above the depths of all earlier tiles, so that one running maximum over all
-    # pairs starts anew in each tile.
+    # pairs of a tile and a trajectory starts anew in each tile.
     offset = tile * (deepest - highest + 1)
     first = np.where(near < far, near, deepest) + (THINNEST - NO_DEEPER) + offset[start]
     moved = depth + offset
@@ -55,7 +56,7 @@ def opened(
     near, far : (k,) ndarray
         Depths at which the rays enter and leave the stock, mm. At least one trajectory must cut each ray.
     start : (k,) ndarray of int
-        Position in `owner` at which the trajectories of each ray begin.
+        Position in `owner` at which the trajectories that cut each ray begin.
     owner : (m,) ndarray of int
         The trajectories that cut the rays, sorted by ray.
     leave : (m,) ndarray

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the pieces of all rays as records of 8 bytes each: the extended z-buffer.
+"""Store the pieces of all rays (dexels, trace elements and gaps) as records of 8 bytes each: the extended z-buffer.
 
 The pieces of a ray fill the ray from the point where the ray enters the stock to the point where the ray leaves the
 stock. Each piece begins where the previous piece ends, so the records store a beginning only for the first piece of a
@@ -18,7 +18,7 @@ import numpy as np
 # view's direction from the centre of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
-# Type of the array that holds the number of each pixel's first record.
+# Type of the array that holds the number of each pixel's first record (piece of a ray).
 INDEX = np.dtype(np.uint32)
 # Value of `owner` for a gap in the stock, which is a piece of a ray without material before the first trajectory.
 GAP = -1
@@ -201,7 +201,7 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
 
 
 def side_by_side(parts: Sequence[Records], height: int) -> Records:
-    """Join the records of parts of an image, from left to right. Every part has `height` rows."""
+    """Join the records (pieces of rays) of parts of an image, from left to right. Every part has `height` rows."""
     if len(parts) == 1:
         return parts[0]
     # For each part of the image, the first pixel of each row, and the first piece of this pixel.
@@ -223,7 +223,7 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
 
 
 class Writer:
-    """Collects the records of an image band by band, from the bottom of the image to the top."""
+    """Collects the records (pieces of rays) of an image band by band, from the bottom of the image to the top."""
 
     def __init__(self, trajectories: int, pixels: int) -> None:
         self.trajectories = trajectories

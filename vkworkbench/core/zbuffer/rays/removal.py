@@ -37,7 +37,8 @@ class Removal(Trajectories):
         Returns
         -------
         pieces : Pieces
-            The pieces of the rays. The owner of a piece is the number of a trajectory, `UNCUT` or `GAP`.
+            The pieces of the rays. The owner of a piece is the number of the trajectory that removes the piece, `UNCUT`
+            or `GAP`.
         passes : (k,) int64
             Number of trajectories whose swept volume was intersected with each ray.
         """
@@ -79,8 +80,8 @@ class Removal(Trajectories):
         self, group: np.ndarray, item: np.ndarray, x: np.ndarray, y: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the pairs of a ray and a trajectory that can meet, sorted by ray and then by trajectory."""
-        # Each group of rays has one column, so that numpy's inner loops run along the pairs. The last group is padded
-        # with NaN.
+        # Each group of rays has one column, so that numpy's inner loops run along the pairs of a group and a
+        # trajectory. The last group is padded with NaN.
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
         gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the visible surface of the part at any moment of the simulation, without sorting the pieces again.
 
-At moment k, the visible piece of a ray is the piece nearest to the eye that no trajectory before k removes. The owner
-of a piece is the number of the trajectory that removes it. A piece can become visible only if its owner is greater than
-the owners of all pieces between the eye and the piece. Owners with this property (the prefix maxima) ascend along the
-ray, so a binary search finds the visible piece for any k, whether the simulation runs forwards or backwards. The
-interval treap by Blasquez and Poiraudeau (2000) solves the same problem.
+At moment k (before trajectory k is simulated), the visible piece of a ray is the piece nearest to the eye that no
+trajectory before k removes. The owner of a piece is the number of the trajectory that removes the piece. A piece can
+become visible only if its owner is greater than the owners of all pieces between the eye and the piece. Owners that are
+greater than all owners nearer to the eye (the prefix maxima) ascend along the ray, so a binary search finds the visible
+piece for any k, whether the simulation runs forwards or backwards. The interval treap by Blasquez and Poiraudeau (2000)
+solves the same problem.
 """
 
 from __future__ import annotations
@@ -97,7 +98,7 @@ class Surface:
         return result
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return depth and owner of the visible surface at some pixels, by binary searches in the prefix maxima."""
+        """Return the visible surface's depth, and the trajectory that cut it, at some pixels, by binary searches."""
         records, (owners, pieces, first) = self.records, self._maxima
         end = first[pixels + 1]
         low = first_not_below(owners, first[pixels], end, step)

@@ -49,11 +49,11 @@ class ZBuffer:
     cuts : Cuts
         The toolpaths that cut the stock.
     step : int
-        The moment, as the number of simulated trajectories.
+        The moment of the simulation, as the number of simulated trajectories.
     records : Records
-        The pieces of all rays, for all moments.
+        The pieces of all rays, for all moments of the simulation.
     surface : Surface
-        The visible surfaces at any moment.
+        The visible surfaces at any moment of the simulation.
     candidates : int
         How many times a trajectory was tested against a tile or a pixel. The number of tests depends slightly on the
         number of processes.
@@ -76,7 +76,7 @@ class ZBuffer:
 
     @property
     def picture(self) -> Picture:
-        """Depth and owner of the visible surface at this moment, for every pixel."""
+        """Depth of the visible surface at this moment, and trajectory that cut it, for every pixel."""
         return self.surface.picture(self.step)
 
     @cached_property
@@ -106,7 +106,7 @@ class ZBuffer:
 
     @property
     def memory_bytes(self) -> int:
-        """Memory for the records and their index, including trace elements removed after this moment, bytes."""
+        """Memory for all dexels, trace elements and gaps, including trace elements removed after this moment, bytes."""
         return self.records.nbytes
 
     @property

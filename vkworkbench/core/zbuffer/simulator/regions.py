@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut the rays in a region of the image, and assemble the records of the region."""
+"""Cut the rays in a region of the image, and assemble the region's records (dexels, trace elements and gaps)."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def cut_region(
     blocks : iterable of (Tiles, int)
         Small tiles, each with the number of tests made to find it, as `tiles.small_tiles` yields them.
     uncut : int
-        Number that stands as the owner of pieces that no trajectory removes.
+        Number that is stored, instead of a trajectory, for pieces that no trajectory removes.
 
     Returns
     -------
@@ -118,7 +118,7 @@ class _Rays:
             self._put(ray, cut_by_removing(near, far, number, owner, enter, leave))
 
     def records(self) -> Records:
-        """Return the records of all rays in the region."""
+        """Return the records (dexels, trace elements and gaps) of all rays in the region."""
         ray = np.flatnonzero(self.pending & self.inside)
         if len(ray):
             nobody, nowhere, own = np.empty(0, np.int64), np.empty(0), gaps_of(self.gaps, ray)

@@ -3,7 +3,7 @@
 
 The regions can be cut in any order. Several threads are hardly faster than one, because numpy holds the global
 interpreter lock (GIL) for arrays that fit into the processor's cache (`benchmarks/sharing.py`). Therefore the image is
-sent to other processes, which cut regions and return records.
+sent to other processes, which cut regions and return the regions' records (pieces of rays).
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ def cut_bands(
     Yields
     ------
     Records, int
-        Records of each band, and how many times a trajectory was tested against a tile or a pixel of the band.
+        Records (pieces of rays) of each band, and how many times a trajectory was tested against a tile or a pixel of
+        the band.
     """
     begin = time.monotonic()
     shared = _Shared(image.bands)
@@ -171,7 +172,7 @@ class _Crew:
 def _have_cut(worker: Worker, shared: _Shared) -> None:
     """Let a worker cut regions until no region is pending.
 
-    If the worker fails, the region that it was cutting becomes pending again.
+    If the worker fails, the region that the worker was cutting is pending again.
     """
     try:
         with suppress(WorkerDied):

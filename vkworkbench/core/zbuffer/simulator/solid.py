@@ -87,8 +87,8 @@ def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
     Parameters
     ----------
     zbuffer : ZBuffer
-        The simulation of the part. A view along the tool axis gives the best surface, because steps between pixels
-        become walls along the view.
+        The simulation of the part. A view along the tool axis gives the best surface, because steps between pixels are
+        drawn as walls along the view.
 
     Returns
     -------

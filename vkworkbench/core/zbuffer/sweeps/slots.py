@@ -31,8 +31,9 @@ FROM_THE_SIDE = 1e-9
 _TINY = 1e-300
 # Finite number that stands for an infinitely distant position on a move, because infinity times 0 is NaN.
 _ENDLESS = 1e30
-# Largest rounding error of the squared half chord of a ray that meets a tool at its rim, mm^2. With a smaller value,
-# rays at the rim would miss the tool. With a larger value, rays that pass beside the tool would meet it.
+# Largest rounding error of the squared half chord of a ray that meets a tool at its outer edge (rim), mm^2. With a
+# smaller value, rays at the outer edge would miss the tool. With a larger value, rays that pass beside the tool would
+# meet it.
 RIM = 1e-12
 
 
@@ -102,7 +103,7 @@ def sloped_slot(
     with np.errstate(invalid="ignore"):
         t = walls.touched(-1)
         # If the ray would meet the wall below the tool's flat end, it enters through the flat end instead, and t is
-        # where the ray meets the rim of the flat end.
+        # where the ray meets the edge of the flat end.
         below = height < walls.chord_end(t, -1) * slope + t * rise
         over = np.maximum(middle - root, t)
         t = _on_move(np.where(below, np.minimum(over, middle + root, out=over), t))

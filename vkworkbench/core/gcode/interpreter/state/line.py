@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store one line of a program while the words of the line are processed."""
+"""Store one line of an NC program while the words of the line are processed."""
 
 from __future__ import annotations
 
@@ -19,11 +19,12 @@ class Line:
     parameters : dict
         The values of the words that are parameters of the motion, by their letters.
     codes : list of int
-        The G-codes of the line that were processed so far, in tenths.
+        The G-codes of the line that were processed so far, as ten times their numbers, e.g. 200 for G20.
     motion : int or None
-        The motion that the line selects, in tenths of its G-code; None if the line selects none.
+        The G-code of the motion that the line selects, as ten times its number; None if the line selects no motion.
     once : int or None
-        G-code of a move that is in force in this line only (probe, thread or spline), in tenths; None without one.
+        G-code, as ten times its number, of a move that is in force in this line only (probe, thread or spline); None if
+        there is no such move.
     apart : bool
         Whether the line's axis words are parameters of a code, not the target of a move.
     feeds : bool
@@ -44,7 +45,7 @@ class Line:
 
     @property
     def code(self) -> int:
-        """int : The G-code that is being processed, in tenths."""
+        """int : The G-code that is being processed, as ten times its number, e.g. 200 for G20."""
         return self.codes[-1]
 
     def lengths(self, unit: float) -> dict[str, float]:

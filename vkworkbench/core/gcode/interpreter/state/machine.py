@@ -55,7 +55,7 @@ class Machine:
     first_unit : float or None
         The program's first unit, mm: 25.4 for inches, 1 for mm; None before the first unit word.
     motion : int
-        The motion in force, in tenths of its G-code; -1 before the first motion.
+        The G-code of the motion in force, as ten times its number, e.g. 10 for G1; -1 before the first motion.
     written : int
         The motion of the last command that moves the tool.
     moved : bool
@@ -71,7 +71,8 @@ class Machine:
     calls_blocks : bool
         Whether the program calls subprograms by block numbers (M97, or M98 with Q).
     tool_length : tuple
-        The G-code of the tool length offset in force, in tenths, and the number of the offset or its length.
+        The G-code of the tool length offset in force, as ten times its number (430 for G43), and the number of the
+        offset or its length.
     length_changed : bool
         Whether the tool length offset changed since the last Z word.
     stopped : bool
@@ -260,7 +261,7 @@ class Machine:
         self.away = [(line, what) for line, what in self.away if what.code != "machine-height"]
 
     def measure_in(self, code: int) -> None:
-        """Set the unit of lengths and feed rates by a G-code, in tenths."""
+        """Set the unit of lengths and feed rates by a G-code, given as ten times its number, e.g. 200 for G20."""
         self.modes.measure_in(code, self.dialect.feeds_in_mm)
         if self.first_unit is None:
             self.first_unit = self.modes.unit

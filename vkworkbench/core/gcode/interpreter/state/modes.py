@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the modal state of a program, which M70 saves and M72 restores."""
+"""Store the modal state of an NC program, which M70 saves and M72 restores."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ class Modes:
         The unit of lengths and the unit of feed rates, mm: 25.4 for inches, 1 for mm. The two units differ only under
         Siemens' G70.
     plane, distance, centres, retract : int
-        G-codes in force, in tenths: G17 to G19, G90 or G91, G90.1 or G91.1, G98 or G99.
+        G-codes in force, as ten times their numbers (170 for G17): G17 to G19, G90 or G91, G90.1 or G91.1, G98 or G99.
     feed_mode : int
-        G93, G94 or G95, in tenths.
+        930, 940 or 950 for G93, G94 or G95.
     per_turn : float or None
         The last F word under G95; None in other feed modes.
     feed : float or None
         The feed rate in force, mm/s; None before the first F word.
     offset : (int, float)
-        G-code of the work offset in force, in tenths, and its P or H word.
+        G-code of the work offset in force, as ten times its number (540 for G54), and its P or H word.
     """
 
     unit: float = 1.0
@@ -68,7 +68,7 @@ class Modes:
         Parameters
         ----------
         code : int
-            G-code of the unit, in tenths.
+            G-code of the unit, as ten times its number, e.g. 200 for G20.
         of_lengths : frozenset of int
             G-codes that set the unit of lengths only.
         """

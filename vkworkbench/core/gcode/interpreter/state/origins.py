@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the origins of a program's coordinates: shifts (G52, G92) and work offsets (G54 to G59.3, set by G10).
+"""Store the origins of NC program coordinates: shifts (G52, G92) and work offsets (G54 to G59.3, set by G10).
 
 All values are in the coordinates of the toolpath. The origin of the toolpath is the work offset in force at the first
 move.
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Dict, Tuple
 
-System = Tuple[int, float]  # the G-code of a work offset, in tenths, and its P or H word
+System = Tuple[int, float]  # ten times the G-code of a work offset (540 for G54), and its P or H word
 Values = Dict[str, float]  # mm, by axis
 FIRST: System = (540, 0.0)
 # Work offsets, by the P word of G10 that selects them. P0 has another meaning.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the tool's position from the commands of a program, for codes that depend on this position (G92, G5, @)."""
+"""Compute the tool's position from an NC program's commands, for codes that depend on this position (G92, G5, @)."""
 
 from __future__ import annotations
 
