@@ -83,7 +83,7 @@ class PlainLines:
     Parameters
     ----------
     lines : Lines
-        The whole text.
+        All lines of the NC program.
     """
 
     def __init__(self, lines: Lines) -> None:

@@ -329,7 +329,7 @@ class _Reader:
     def _common_spelling(self, code: str) -> str:
         """Return the code in the common spelling of words.
 
-        Decimal commas become points. ``HA`` becomes ``H0``, ``X=`` becomes ``X``, and ``CR=`` becomes ``R``.
+        Decimal commas are replaced by points, ``HA`` by ``H0``, ``X=`` by ``X``, and ``CR=`` by ``R``.
         """
         _, rest = split_words(code)
         if "," in rest and _DECIMAL_COMMA.search(code):

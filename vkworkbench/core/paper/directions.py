@@ -168,8 +168,8 @@ def axis_of(along_x: np.ndarray, along_y: np.ndarray, length: np.ndarray) -> np.
 def axis_of(along_x: float | np.ndarray, along_y: float | np.ndarray, length: float | np.ndarray) -> float | np.ndarray:
     """Return the main axis of moves, rad in [-pi/2, pi/2].
 
-    The angles of the moves are doubled, so that opposite directions become equal. The main axis is half the direction
-    of the sum of the vectors with doubled angles.
+    The angles of the moves are doubled, so that opposite directions are equal. The main axis is half the direction of
+    the sum of the vectors with doubled angles.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the points of a part at which a cut is so narrow that it passes between the rays of the simulation.
 
-Engravings of a large part are such cuts. Only a few rays meet an engraving, so a picture of the columns of material
+Engravings of a large part are so narrow. Only a few rays meet an engraving, so a picture of the columns of material
 would show the engraving as dots.
 """
 
@@ -22,7 +22,8 @@ _NARROW = 0.71
 _BESIDE = 2
 # Difference between two heights, mm, above which the difference is not a rounding error.
 _NOISE = 1e-3
-# Cache of the points that `_sampled` returns, by job, because many moments of one job are drawn while it is played.
+# Cache of the points that `_sampled` returns, by job, because many moments of one job are drawn while the simulation is
+# played.
 _sampled_before: WeakKeyDictionary[Cuts, tuple[float, tuple[np.ndarray, ...]]] = WeakKeyDictionary()
 
 

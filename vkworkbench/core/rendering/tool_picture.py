@@ -20,8 +20,8 @@ _FLUTES, _SHANK, _RINGS = 3.0, 2.0, 7
 # Colours and opacities of cutter, shank and holder. The holder is translucent, so that the part behind it stays
 # visible.
 _CUTTER, _SHAFT, _HOLDER = ((236, 196, 92), 0.9), ((176, 182, 192), 0.9), ((112, 120, 138), 0.5)
-# _NUMBER: number of drawn flutes. _PITCH: their pitch, in tool diameters. _SHARE: share of the cutter's surface that
-# flutes cover. _DARKER: share of the light that flutes lose.
+# _NUMBER: number of drawn flutes. _PITCH: pitch of the flutes, in tool diameters. _SHARE: share of the cutter's surface
+# that flutes cover. _DARKER: share of the light that flutes lose.
 _NUMBER, _PITCH, _SHARE, _DARKER = 3, 3.0, 0.35, 0.35
 
 

@@ -53,7 +53,7 @@ class Flow:
     Parameters
     ----------
     lines : Lines
-        The whole text.
+        All lines of the NC program.
     subprograms : Subprograms
     place : callable
         Returns the known coordinates of the tool, by axis, in the program's unit.

@@ -57,7 +57,7 @@ class Structure:
     Parameters
     ----------
     lines : Lines
-        The whole text.
+        All lines of the NC program.
     heads : collection of int
         Indices of the lines with the number of a program. A loop of a Fanuc control must end within its program.
 

@@ -38,7 +38,7 @@ class Subprograms:
     Parameters
     ----------
     lines : Lines
-        The whole text.
+        All lines of the text.
 
     Attributes
     ----------

@@ -92,7 +92,7 @@ def code_of(name: str) -> int:
     name = name.strip().upper()
     if not name:
         return MODAL
-    if name[0] in "(;%/":  # comments, program marks and disabled lines
+    if name[0] in "(;%/":  # comments, percent signs and disabled lines
         return COMMENT
     match = _NAME.fullmatch(name)
     if match is None:

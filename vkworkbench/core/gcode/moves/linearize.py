@@ -23,7 +23,7 @@ from vkworkbench.language import Message, Unusable
 
 MOST_TRAJECTORIES = 5_000_000  # largest number of trajectories; this many need 2 GB of memory
 
-_ZERO_LENGTH = 1e-9  # mm; a trajectory is left out if its length along each axis is at most this
+_ZERO_LENGTH = 1e-9  # mm; a trajectory is left out if its length along each axis is at most this length
 
 
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
@@ -73,7 +73,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)
-    points += 0.0  # -0.0 becomes 0.0
+    points += 0.0  # replaces -0.0 by 0.0
     feed = np.where(rapid, 0.0, program.feed[command])
     comments = np.flatnonzero(words.codes == COMMENT)
     before = np.searchsorted(command, comments).tolist()

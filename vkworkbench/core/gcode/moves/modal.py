@@ -158,8 +158,8 @@ class ModalState:
     def _highest(self, z: np.ndarray, drills: np.ndarray) -> float:
         """Return the greatest height that Z words give, mm; NaN without Z words.
 
-        In a canned cycle along Z (`drills`), the R word counts, because the Z word is the bottom of the hole. Cycles
-        under G91 do not count.
+        In a canned cycle along Z (`drills`), the R word is used, because the Z word is the bottom of the hole. Cycles
+        under G91 are ignored.
         """
         if drills.any():
             z = np.where(drills, np.where(self.relative, np.nan, self.words.column("R")[0]), z)

@@ -225,7 +225,7 @@ def _read_word_names(names: list[str], all_parameters: list[dict[str, Any] | Non
 
 
 def _table_of(parameters: list[Any]) -> tuple[np.ndarray, str, np.ndarray]:
-    """Return the table of the parameters as `_table` does; values that are not numbers become NaN."""
+    """Return the table of the parameters as `_table` does; values that are not numbers are replaced by NaN."""
     try:
         return _table(parameters)
     except (TypeError, ValueError, OverflowError):
@@ -246,7 +246,7 @@ def _table(parameters: list[dict[str, Any]]) -> tuple[np.ndarray, str, np.ndarra
 
 
 def _numbers(parameters: Mapping[Any, Any] | None) -> dict[str, float]:
-    """Return the parameters with single-letter names; values that are not numbers become NaN."""
+    """Return the parameters with single-letter names; values that are not numbers are replaced by NaN."""
     if parameters is not None and not isinstance(parameters, Mapping):
         raise _no_commands(parameters)
     words = parameters.items() if parameters else ()

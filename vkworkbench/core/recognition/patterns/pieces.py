@@ -97,7 +97,7 @@ def cut_pieces(moves: Areas) -> Pieces:
     # full turn cancels out.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
-        able[:] = False  # such short pieces are links between loops
+        able[:] = False  # pieces of so little length are links between loops
     alternating, constant, passes, parallel = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)

@@ -167,7 +167,7 @@ class Section:
         """The families of rows, at most two. A family consists of all parallel passes along one axis."""
         pieces, rowlike = self.pieces, self._rowlike
         if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
-            return []  # such short pieces are links between loops
+            return []  # pieces of so little length are links between loops
         if rowlike.all():
             return find_rows(self.moves, np.arange(len(self.moves)))
         return find_rows(self.moves, np.flatnonzero(np.repeat(rowlike, pieces.end - pieces.start)))

@@ -28,7 +28,7 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
     Returns
     -------
     Recognition
-        The verdict on the toolpath at 25.4 times its size. All lengths are in the unit of the toolpath as it was read.
+        The result for the toolpath at 25.4 times its size. All lengths are in the unit of the toolpath as it was read.
     """
     found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
     paper = found.paper and replace(found.paper, v=(found.paper.v[0] / INCH, found.paper.v[1] / INCH))

@@ -144,7 +144,7 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
 
 
 def _odds_of_difference(one: Recognition, other: Recognition) -> float:
-    """Return the odds that the verdicts on two sections show different operations; 0 if one operation can have both."""
+    """Return the odds that two sections are different operations; 0 if one operation can have both strategies."""
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
     # Adaptive clearing of a round pocket winds like a spiral.

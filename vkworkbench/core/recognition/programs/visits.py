@@ -84,7 +84,7 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     if len(moves.start) + len(moves.holes) < 2:
         return None
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    # A block is an area or a drilled hole. A hole counts as one move without length at the bottom of the hole.
+    # A block is an area or a drilled hole. A hole is treated as one move without length at the bottom of the hole.
     hole, none = toolpath.points[moves.holes + 1], np.zeros(len(moves.holes))
     index, begins = np.concatenate([moves.index, moves.holes]), np.ones(len(moves) + len(none), bool)
     begins[: len(moves)] = False
@@ -216,8 +216,8 @@ def _shared_ground(visits: Visits, back: int) -> np.ndarray:
 def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
     """Return the share of each visit's ground that one of the previous visits covers, two arrays (k-1,).
 
-    The first array counts previous visits at the same depth or deeper; the second array counts only deeper visits. An
-    operation rarely cuts the same ground again.
+    The first array compares each visit with previous visits at the same depth or deeper, the second array only with
+    deeper visits. An operation rarely cuts the same ground again.
     """
     again = np.zeros((2, len(visits) - 1))
     ground = _ground(visits)

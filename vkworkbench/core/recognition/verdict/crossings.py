@@ -92,8 +92,8 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
     -------
     dict
         "crossings" is the logarithm of the number of crossings per line. All other names are NAMES with the prefixes
-        "level_" and "plan_". Their value is -1 if there are no crossings to measure. A pair is two passes side by side
-        at the usual distance. A triple is two pairs with a common pass.
+        "level_" and "plan_". The value of a name is -1 if there are no crossings from which to compute it. A pair is
+        two passes side by side at the usual distance. A triple is two pairs with a common pass.
 
         * step: logarithm of the usual distance divided by the extent
         * even: share of the passes side by side that are pairs

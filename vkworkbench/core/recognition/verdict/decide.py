@@ -22,7 +22,7 @@ OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNO
 # The class of each strategy is its family of strategies; only adaptive clearing is a class of its own.
 CLASSES = [-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES]
 ALIKE = np.equal.outer(CLASSES, CLASSES)
-#: The paper's literal verdict as a number; a verdict that is not in this table counts as 0.
+#: Number for the strategy by the paper's literal rule; a strategy that is not in this table gets the number 0.
 LETTERS = {Strategy.ZIGZAG: -1, Strategy.CONTOUR_PARALLEL: 1}
 
 
@@ -61,7 +61,7 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
         The verdict of the rules, unless the votes elect another strategy. The strategy is UNKNOWN if the section is
         nonsense, which means that no operation that machines a part looks like the section.
     float
-        Probability that the verdict is right, 0..1.
+        Probability that the returned strategy is right, 0..1.
     """
     model = shipped_model()
     known = features(measure_section(s), rules.strategy, paper.strategy if paper else None, tool=s.tool > 0)

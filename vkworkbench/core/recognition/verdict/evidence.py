@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Collect the numbers behind a verdict, and give the reason for the verdict in the paper's terms."""
+"""Collect the numbers that support a recognised strategy, and give the reason for it in the paper's terms."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vkworkbench.language import ENGLISH, Message
 
 @dataclass(frozen=True)
 class Evidence:
-    """The numbers that support a verdict on a section. Recognition documents the fields."""
+    """The numbers that support the strategy of a section. Recognition documents the fields."""
 
     level: int
     phi_range: tuple[float, float]
@@ -34,7 +34,7 @@ class Evidence:
 
 
 def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
-    """Return the numbers behind a verdict."""
+    """Return the numbers that support the strategy of a section."""
     around = verdict.strategy.family is Family.AROUND or not section.rows
     rings, rows = section.rings, section.rows
     main = max(rows, key=lambda f: f.length) if rows else None
@@ -103,7 +103,7 @@ def _heights(section: Section, strategy: Strategy) -> np.ndarray:
 
 
 def reason_of(section: Section, verdict: Verdict, evidence: Evidence) -> Message:
-    """Return the reason for a verdict, with its numbers."""
+    """Return the reason for the strategy of a section, with numbers."""
     low, high = evidence.phi_range
     strategy, seen, spread = verdict.strategy, verdict.seen, _spread(evidence)
     at_0 = ENGLISH.turns(low) == ENGLISH.turns(high) == "0"

@@ -15,7 +15,7 @@ FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "op
 
 
 def measure_section(section: Section) -> dict[str, float]:
-    """Return the measures of a section by name: shares, ratios, and logarithms of counts.
+    """Return the measures of a section by name: shares, ratios, and logarithms of numbers.
 
     No measure changes if the section is moved, mirrored, scaled with its tool, or cut in reverse. Rotating the section
     changes only the measures that are relative to its extent.

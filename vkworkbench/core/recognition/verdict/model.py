@@ -68,7 +68,7 @@ class Model:
         Trees that vote for the classes decide.STRATEGIES.
     calibration : (2,) float
         Offset and slope of the line that calibrates the confidence. The line maps the log odds of the share of the
-        votes to the log odds that the verdict is right.
+        votes to the log odds that the elected strategy is right.
     """
 
     names: np.ndarray
@@ -82,7 +82,7 @@ class Model:
         return float(self.nonsense.shares(case)[0, 1]), self.strategies.shares(case)[0]
 
     def sureness(self, share: float) -> float:
-        """Return the probability that a verdict with this share of the votes is right."""
+        """Return the probability that a strategy with this share of the votes is right."""
         offset, slope = self.calibration
         return float(1 / (1 + np.exp(-offset - slope * log_odds(share))))
 

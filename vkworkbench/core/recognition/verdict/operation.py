@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognise one operation: entry, pattern, finishing pass, and the numbers behind the verdict."""
+"""Recognise one operation: entry, pattern, finishing pass, and the numbers that support the strategy."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ class Recognition:
     ----------
     strategy : Strategy
     confidence : float
-        Probability that the verdict is right, 0..1.
+        Probability that the recognised strategy is right, 0..1.
     why : Message
         Reason in the paper's terms, with numbers.
     spans : tuple of Span

@@ -63,8 +63,8 @@ def cauchy_crofton(toolpath: Toolpath, *, stock: Solid, view: View, direction: f
     Parameters
     ----------
     toolpath : Toolpath
-        Each trajectory that goes below the top of the stock counts with its whole length, even where it is outside the
-        stock.
+        The whole length of each trajectory that goes below the top of the stock is included, even where the trajectory
+        is outside the stock.
     view : View
         Epsilon is the side of the view's pixels.
     direction : float, optional

@@ -66,7 +66,7 @@ class CutFacts:
         Plunges into full material above the tool's vertical feed.
     gouges, left : tuple of Deviation
         Places that are cut deeper than the model's surface, and places with leftover material above the model's
-        surface. Both are empty without a model.
+        surface. Both tuples are empty without a model.
     collisions : tuple of Collision
         Collisions of shanks and holders, cuts deeper than the flutes, tools that are too short, and collisions with
         clamps.
@@ -180,8 +180,9 @@ class JobFacts:
     cuts : tuple of CutFacts
         Facts of the simulation on each operation separately.
     job : CutFacts
-        Facts on all operations together. Only these facts include deviations without a source: leftover material where
-        no operation cut (in `left`), and places where the stock is too small for the model (in `gouges`).
+        Facts of the simulation on all operations together. Only `job` includes deviations without a source: leftover
+        material where no operation cut (in `left`), and places where the stock is too small for the model (in
+        `gouges`).
     verdict : Verdict
     """
 

@@ -4,7 +4,7 @@
 A tool is modelled as a convex solid of revolution that is unbounded upwards. The volume that the tool sweeps along a
 straight move is convex, so a ray intersects the swept volume in one interval. In ray coordinates, the x axis points to
 the right in the image, the y axis in the horizontal direction of the rays, and the z axis up. Every ray has the
-direction (0, sine, -cosine); sine and cosine are those of the view's tilt from the vertical.
+direction (0, sine, -cosine); sine and cosine belong to the view's tilt from the vertical.
 
 For flat and ball ends, slots.py computes the interval in closed form. For other tools, let t from 0 to 1 be the
 position of the tool on its move. For each t, the ray enters and leaves the tool at some depth. The interval of the

@@ -28,7 +28,7 @@ class Machine:
     Attributes
     ----------
     commands, lines, inverse_time
-        As in `Program`.
+        See the attributes with the same names in `Program`.
     problems : dict of Message to list of int
         Messages on the parts of the program that were not read, with the lines of these parts.
     clues : Clues
