@@ -334,9 +334,9 @@ class WATERLINES:
     #: tool diameters. Minimum height difference between the deepest and the highest ring of a waterline. With the value
     #: 0, deburred edges are recognised as pockets. With a higher value, waterlines are recognised as profiles.
     RANGE = 0.35
-    #: share of the rings' length. Minimum share of rings that have a ring of another shape above or below, in a
-    #: waterline. With the value 0, engraved contours are recognised as waterlines. With the value 1, waterlines are
-    #: recognised as profiles.
+    #: share of the rings' length. In a waterline, more than this share of the rings' length is in rings with a ring of
+    #: another shape above or below. With the value 0, engraved contours are recognised as waterlines. With the value 1,
+    #: waterlines are recognised as profiles.
     DEEPER = 0.3
     #: ratio of spreads. If the spread of the steps in the plane divided by the spread of the steps in depth is smaller
     #: than the threshold, the rings are evenly spaced in the plane and not in depth, like circles on a dome. With the
@@ -383,7 +383,7 @@ class ROWS:
     #: directions in half a turn. Number of classes of directions in the search for the densest direction. With the
     #: value 1, grids have no axis.
     DIRECTIONS = 64
-    #: values. Number of values from which medians are computed, and number of passes from which the lines of a family
+    #: values. Largest number of values from which medians are computed, and of passes from which the lines of a family
     #: of rows are found. With the value 1, zigzags are recognised as engravings. A larger sample takes time and does
     #: not improve the recognition.
     SAMPLE = 1000
@@ -564,7 +564,7 @@ class POCKET:
 
 
 class PARTS:
-    """Borders between the parts of a program, and when different parts make the program mixed."""
+    """Borders between the parts of an NC program, and when different parts make the program mixed."""
 
     #: borders. A program with more borders than the threshold is not divided at all, because so many borders do not
     #: separate operations, and recognising each section takes time. With the value 1, circuit boards and programs with
