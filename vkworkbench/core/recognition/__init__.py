@@ -2,7 +2,7 @@
 """Recognise which strategy a toolpath follows.
 
 The input is a `Toolpath` and, if known, the tool's diameter. The output is a `Recognition`: the strategy with its
-confidence, its reason, the numbers behind it, and the spans of the parts.
+confidence, its reason, the numbers that support the strategy, and the spans of the parts.
 """
 
 from vkworkbench.core.recognition.programs.inches import recognize_inches

@@ -137,7 +137,7 @@ class _Turned:
         Distance between successive cells in the direction away from the viewer, and position of the first cell's front
         edge relative to the image's centre, mm.
     lift : float
-        Height of the origin of the layer of the part above the image's centre, mm.
+        Height of the stock's centre, which is the origin of heights in the layer, above the image's centre, mm.
     rise : (n,) float32
         Screen height of the front edge of the cells of each step if their tops were at height 0, in pixels from the
         image's lower edge.

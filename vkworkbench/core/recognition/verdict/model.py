@@ -88,7 +88,7 @@ class Model:
 
 
 def log_odds(share: np.ndarray | float) -> np.ndarray:
-    """Return the logarithm of the odds of a share of the votes."""
+    """Return the log odds of a share of the votes."""
     share = np.clip(share, VOTES.MIN_SHARE, 1 - VOTES.MIN_SHARE)
     result: np.ndarray = np.log(share / (1 - share))
     return result

@@ -72,7 +72,7 @@ class Bounds(Protocol):
         Parameters
         ----------
         tile : (p,) ndarray of int
-            Number of the tile of each pair of a tile and a trajectory in `tiles`.
+            For each pair of a tile and a trajectory, the number of the tile in `tiles`.
         near, far : (side * side, t) ndarray
             Depths at which the rays of the tiles' pixels enter and leave the stock, row by row; ``near > far`` for rays
             that miss the stock.

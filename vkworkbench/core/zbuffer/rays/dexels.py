@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divide rays into pieces, each of which one trajectory removes, or none.
+"""Divide rays into pieces; each piece is removed by one trajectory, or by no trajectory.
 
 Each trajectory of a sequence removes an interval of a ray. The ends of these intervals divide the part of the ray
 inside the stock into pieces. A removed piece belongs to the trace of the trajectory that removes it; a piece that no

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute with straight lines and arcs, of which the tool's path beside a programmed path consists.
+"""Define the straight lines and arcs of the tool's path beside a programmed path, and compute with them.
 
 A point in the plane is a complex number, mm.
 """
