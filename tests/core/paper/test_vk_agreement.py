@@ -140,7 +140,7 @@ def test_area_has_the_signature_of_its_polyline():
                 assert of_area.total_turning == pytest.approx(of_points.total_turning, abs=1e-9)
 
 
-def test_last_of_linked_loops_reaches_its_level():
+def test_phi_of_the_last_linked_loop_reaches_its_level():
     areas = monotonous_areas(linearize(OWN["linked loops"]))
     assert len(areas.start) == 1 and not areas.closed[0]
     assert areas.phi_range == pytest.approx((0.0, 8 * 2 * np.pi)) and areas.top_level == 8
@@ -152,7 +152,7 @@ def test_signatures_of_areas_share_memory():
     assert all(np.shares_memory(ours, whole) for ours, whole in ((one.alpha, areas.alpha), (one.phi, areas.phi)))
 
 
-def test_verdict_by_the_papers_rule_is_exact():
+def test_verdict_by_the_papers_rule_has_known_values():
     path = {name: linearize(commands) for name, commands in OWN.items()}
     verdicts = {name: recognize(p, tool_diameter=6.0).paper for name, p in path.items()}
     assert verdicts["zigzag"].strategy is Strategy.ZIGZAG and verdicts["zigzag"].sense is None
@@ -161,7 +161,8 @@ def test_verdict_by_the_papers_rule_is_exact():
     linked = verdicts["linked loops"]
     assert linked.strategy is Strategy.CONTOUR_PARALLEL and linked.level >= 7
     assert verdicts["bore"].strategy is Strategy.CONTOUR_PARALLEL and verdicts["bore"].level == -6
-    # A single loop is unknown by the rule: its phi ends before 2 pi, because phi does not include the closing turn.
+    # A single loop is unknown by the rule: its phi ends before 2 pi, because phi does not include the turn from the
+    # last side to the first side.
     assert verdicts["one loop"].strategy is Strategy.UNKNOWN
     assert verdicts["one loop"].phi_range == pytest.approx((0.0, 1.5 * np.pi))
     # From a corner of the square, V_k points to all other corners within a quarter turn, and turns in one sense.

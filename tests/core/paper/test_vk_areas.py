@@ -10,11 +10,11 @@ import pytest
 from vkworkbench.core import Strategy, linearize, signature
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
 
-# back and forth on one line, so these turns are unsigned
+# The path goes back and forth on one line, so its turns by half a turn are neither left nor right.
 SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]
-# closed except for a gap of 0.4 mm, like after a lead-in
+# The square is closed except for a gap of 0.4 mm, like a contour after a lead-in.
 SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]
-ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # the gap is the same, but the area between is tiny
+ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # the gap is also 0.4 mm, but the enclosed area is tiny
 
 
 def areas_of(*strokes):
@@ -67,14 +67,14 @@ AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     [
         (IN_AND_OUT, 0),
         (IN_AND_OUT[:3], 0),
-        ([(30, 0), *AROUND, (30, 0)], 1),  # a lead-in and lead-out from outside on one line
-        ([(10, 0), *AROUND, (10, 0)], 1),  # a lead-in and lead-out from inside
+        ([(30, 0), *AROUND, (30, 0)], 1),  # the lead-in and the lead-out are one line outside of the loop
+        ([(10, 0), *AROUND, (10, 0)], 1),  # the lead-in and the lead-out are one line inside the loop
         ([(10, 0), *AROUND, *AROUND[1:], (10, 0)], 2),
         ([(30, 0), *RELIEVED, (30, 0)], 1),
     ],
 )
 def test_closing_half_turn_is_not_added_to_the_total(stroke, turns, degrees):
-    """The result is the same for all directions of the path, alone or after other paths, and for its points."""
+    """The total turning is the same in all directions of the path, for the path alone and among other paths."""
     angle = np.radians(degrees)
     turned = np.array(stroke, float) @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
     for path, sense in ((turned, 1), (turned[::-1], -1)):
@@ -106,7 +106,7 @@ def test_detour_out_and_back_adds_no_turn(before, behind, sense):
 
 
 @pytest.mark.parametrize("links", [1, -1])
-def test_rows_cut_back_and_forth_stay_on_level_0(links):
+def test_phi_of_rows_cut_back_and_forth_stays_on_level_0(links):
     rows = [(x, 3 * links * i) for i in range(12) for x in (0, 40, 0)]
     areas = areas_of(rows)
     assert len(areas.unsigned) == 12 and areas.top_level == 0
@@ -115,14 +115,14 @@ def test_rows_cut_back_and_forth_stay_on_level_0(links):
 
 
 @pytest.mark.parametrize("x", [50, 900, -900])
-def test_gap_is_compared_with_the_enclosed_area_anywhere(x):
+def test_gap_is_compared_with_enclosed_area_at_any_position(x):
     # A contour is closed if the gap is at most 3 % of the side of a square of equal area: 0.6 mm for 20 mm.
     for gap, closed in ((0.5, True), (0.65, False)):
         assert areas_of(at([*SQUARE[:-1], (0.0, gap)], x, -30), at(ROW, 0, 0)).closed.tolist() == [closed, False]
 
 
 @pytest.mark.parametrize("gap, closed", [(0.02, True), (0.045, False)])
-def test_small_gap_counts_around_tiny_area(gap, closed):
+def test_tiny_contour_with_a_gap_of_five_percent_is_open(gap, closed):
     small = [(0.0, 0.0), (0.9, 0.0), (0.9, 0.9), (0.0, 0.9), (0.0, gap)]
     assert areas_of(small).closed.tolist() == [closed]
 

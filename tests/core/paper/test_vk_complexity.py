@@ -18,10 +18,10 @@ STAR = [(np.cos(0.8 * PI * k), np.sin(0.8 * PI * k)) for k in range(6)]
     [
         (SQUARE, 2, 2),
         (SQUARE[::-1], 2, -2),
-        (SQUARE[:-1], 1, 1),  # open, so only two corners count
-        (STAR, 4, 4),  # a pentagram turns twice around
-        ([(0, 0), (9, 0), (9, 1), (0, 1), (0, 2), (9, 2)], 2, 0),  # a zigzag turns left and right
-        # one dent turns back by a quarter and on again
+        (SQUARE[:-1], 1, 1),  # the square is open, so the path turns at two corners only
+        (STAR, 4, 4),  # the pentagram makes two full turns
+        ([(0, 0), (9, 0), (9, 1), (0, 1), (0, 2), (9, 2)], 2, 0),  # the zigzag's turns to both sides cancel
+        # The dent adds a quarter turn to the right and a quarter turn to the left.
         ([(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2), (0, 0)], 3, 2),
         ([(0, 0), (5, 0)], 0, 0),
         (np.empty((0, 2)), 0, 0),

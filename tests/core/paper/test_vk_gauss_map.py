@@ -40,7 +40,7 @@ def test_path_without_cuts_has_no_area():
     assert len(monotonous_areas(linearize([])).start) == 0
 
 
-def test_arcs_of_the_image_are_divided_by_sense():
+def test_arcs_of_the_gauss_image_are_divided_by_sense():
     # The direction turns from east to north, back to east, and by half a turn, which has no sense.
     counter_clockwise, clockwise = image_arcs([0, np.pi / 2, 0, np.pi], [1.0, 1.2, 1.4, 1.6])
     assert np.isnan(counter_clockwise[-1]).all() and np.isnan(clockwise[-1]).all()
@@ -52,7 +52,7 @@ def test_arcs_of_the_image_are_divided_by_sense():
     assert np.isnan(turns_of(np.array([0, np.pi]))).all()
 
 
-def test_constant_image_has_no_arcs():
+def test_constant_gauss_image_has_no_arcs():
     assert [len(arcs) for arcs in image_arcs([1.0, 1.0, 1.0], [1, 1, 1])] == [0, 0]
     assert [len(arcs) for arcs in image_arcs([1.0], [1])] == [0, 0]
     assert [len(arcs) for arcs in image_arcs([], [])] == [0, 0]
@@ -65,7 +65,7 @@ def test_thinned_values_keep_every_peak(values, count):
     assert len(kept) <= max(4 * count, 0) and (np.diff(kept) > 0).all()
     if len(values):
         assert kept[0] == 0 and kept[-1] == len(values) - 1
-        for edge in range(count):  # the peaks of every stretch are kept
+        for edge in range(count):  # the minimum and the maximum of every stretch are kept
             stretch = values[edge * len(values) // count : (edge + 1) * len(values) // count]
             if len(stretch):
                 assert {stretch.min(), stretch.max()} <= set(values[kept])
@@ -110,7 +110,7 @@ def test_only_points_near_the_window_are_drawn():
     assert overlapping(points, np.array([11, 5]), np.array([13, 12])).tolist() == [1, 5]
 
 
-def test_area_with_farthest_phi_proves_the_loops():
+def test_area_with_the_largest_phi_is_the_proof_of_loops():
     rows = [("G0", {"Z": 5.0, "X": 0.0, "Y": 60.0}), ("G1", {"Z": 0.0})]
     for row in range(20):
         rows += [("G1", {"X": 500.0 * (row % 2 == 0)}), ("G1", {"Y": 62.0 + 2 * row})]

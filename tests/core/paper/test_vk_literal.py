@@ -47,13 +47,13 @@ def test_v_of_nearly_closed_contour_has_no_direction():
     assert found.image == (0, 0)
 
 
-def test_image_of_contour_turns_in_one_sense():
+def test_gauss_image_of_a_contour_turns_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
-    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # the image does not move
-    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # the image turns back and forth
+    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # the direction of V_k does not change
+    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # V_k turns back and forth
 
 
-def test_image_of_v_turns_only_for_outward_loops():
+def test_direction_of_v_k_turns_only_for_outward_loops():
     """Loops that are cut inward are contour-parallel, but their V_k moves back and forth like in a zigzag."""
     loops = [[(s * x, s * y) for x, y in [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]] for s in (40, 36, 32)]
     for order, goes_around, sense in ((loops, False, None), (loops[::-1], True, "ccw")):
@@ -67,19 +67,19 @@ def test_image_of_v_turns_only_for_outward_loops():
 def test_theta_range_begins_with_the_first_direction():
     """V_k first points up, and then turns to the left or right."""
     assert np.degrees(verdict([(0, 0), (0, 30), (-30, 30)]).theta_range) == pytest.approx((90, 135))
-    assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # by an eighth of a turn
+    assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # V_k turns by an eighth of a turn
     assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
 
 
-def test_short_move_of_v_back_and_forth_has_no_sense():
+def test_small_turn_of_v_k_back_and_forth_has_no_sense():
     found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
     assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))
 
 
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
-def test_gauss_image_reversing_by_one_percent_alternates(share, sense):
-    """The direction turns by two radians in all, and back by a share of the whole way."""
-    back = 2 * share / (1 - 2 * share)  # the way is 2 + 2 * back
+def test_gauss_image_that_turns_back_by_one_percent_has_no_sense(share, sense):
+    """The direction of V_k turns by two radians in total. On its way, it turns back by `share` of the whole way."""
+    back = 2 * share / (1 - 2 * share)  # the whole way is 2 + 2 * back
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]
     found = verdict([(0, 0), *((20 * np.cos(angle), 20 * np.sin(angle)) for angle in angles)])
     assert found.sense == sense

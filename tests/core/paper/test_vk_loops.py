@@ -50,7 +50,7 @@ def test_loops_around_repeated_contour_are_found_in_order():
 
 
 @pytest.mark.parametrize(("gap", "is_one"), [(0.01, True), (0.02, True), (0.028, True), (0.035, False), (0.05, False)])
-def test_nearly_closed_loop_is_found_anywhere(gap, is_one):
+def test_nearly_closed_loop_is_found_anywhere_in_the_path(gap, is_one):
     """The loop is found if it is the last possible loop of the path, and if other areas follow."""
     for right in np.arange(0, 0.13, 0.005):
         around = polygon(40, x=100 + right)
@@ -71,7 +71,7 @@ def test_lead_in_and_out_does_not_change_loop_count(tip, degrees):
     assert loops_of([(x, y, 0.0) for x, y in path.tolist()]) == [(1, 5), (6, 5)]
 
 
-def test_return_without_full_turn_is_not_a_loop():
+def test_return_to_the_start_without_full_turn_is_not_a_loop():
     eight = [
         (0, 0, 0),
         (10, 10, 0),
@@ -85,7 +85,7 @@ def test_return_without_full_turn_is_not_a_loop():
     ]
     assert loops_of([(20 * (k % 2), 0.0, 0.0) for k in range(12)]) == []
     assert loops_of(eight) == [(0, 4), (4, 4)]
-    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # one loop in each direction
+    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # the path has one loop in each direction
 
 
 def contoured(count, notches=0):

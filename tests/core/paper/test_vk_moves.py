@@ -60,7 +60,7 @@ def test_first_plunge_is_not_an_area():
 
 @pytest.mark.parametrize("drop, cuts", [(0.0, 1), (-80.0, 1), (-120.0, 0)])
 def test_slope_is_a_move_and_plunge_is_not(drop, cuts):
-    # 20 mm along the plane, and at most five times as deep
+    # The move has 20 mm along the plane. It is a slope if it goes down by at most five times as much.
     assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts
 
 
@@ -200,7 +200,7 @@ def test_plateau_between_walls_is_cut_and_not_a_link():
 
 def test_plunge_without_milling_at_its_place_is_a_hole():
     peck = [*feed((0, 0, -3)), rapid(0, 0, 1), rapid(0, 0, -3), *feed((0, 0, -6)), rapid(0, 0, 5)]
-    assert areas_of(*peck).holes.tolist() == [3]  # several pecks in one hole count once
+    assert areas_of(*peck).holes.tolist() == [3]  # several pecks in one hole are one hole
     second = [
         rapid(10, 0, 5),
         *feed((10, 0, -6)),
@@ -217,15 +217,15 @@ def test_plunge_without_milling_at_its_place_is_a_hole():
 
 
 def test_plunge_without_drilling_is_not_a_hole():
-    down = [rapid(10, 0, 5), rapid(10, 0, 0), rapid(10, 0, 5)]  # a touch at rapid
-    up = [rapid(10, 0, -6), *feed((10, 0, 5))]  # out of a hole at feed, like boring cycles do
-    still = [rapid(10, 0, 5), *feed((10, 0, 4.9995)), rapid(20, 0, 5)]  # less than a thousandth of a mm
+    down = [rapid(10, 0, 5), rapid(10, 0, 0), rapid(10, 0, 5)]  # the tool goes down and up at rapid
+    up = [rapid(10, 0, -6), *feed((10, 0, 5))]  # the tool leaves a hole at feed, like in boring cycles
+    still = [rapid(10, 0, 5), *feed((10, 0, 4.9995)), rapid(20, 0, 5)]  # the plunge is less than a thousandth of a mm
     aside = [rapid(10, 0, 5), *feed((11, 0, -6)), rapid(11, 0, 5)]
     for moves in (down, up, still, aside):
         assert areas_of(*moves).holes.tolist() == []
 
 
-def test_part_spans_use_trajectories_of_program():
+def test_areas_of_a_part_use_the_programs_trajectory_numbers():
     hole = [rapid(60, 0, 5), *feed((60, 0, -6)), rapid(60, 0, 5)]
     path = linearize([START, *feed((0, 0, -1), *ROW, (0, 9, -1), (0, 9, 5)), *hole])
     behind = monotonous_areas(path, first=2)

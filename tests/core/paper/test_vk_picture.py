@@ -87,7 +87,7 @@ def test_fan_is_drawn_with_one_ray_per_cell():
     assert len(distinct(points[::-1], segments, cells=10, most=20)) == len(first) == 10
 
 
-def test_different_pairs_of_cells_are_distinct():
+def test_segments_between_different_cells_are_distinct():
     places = [(x, y) for x in range(5) for y in range(5)]
     pairs = [pair for k, one in enumerate(places) for pair in ((one, other) for other in places[k + 1 :])]
     points = np.array([point for pair in pairs + pairs for point in pair], float)
@@ -95,6 +95,6 @@ def test_different_pairs_of_cells_are_distinct():
     assert found.tolist() == (2 * np.arange(len(pairs))).tolist()
 
 
-def test_one_area_has_no_links():
+def test_path_of_at_most_one_area_has_no_links():
     for strokes in ([], [[(0, 0, 0), (9, 0, 0)]]):
         assert links(monotonous_areas(linearize(programs.program(strokes)))).shape == (0, 2)
