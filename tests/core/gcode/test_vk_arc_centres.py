@@ -24,7 +24,7 @@ def test_arcs_with_a_radius_do_not_decide_about_centres():
 
 def test_full_circles_without_other_arcs_have_a_remark():
     assert told("G2 X30 Y20 I-5 J-3\n")[1] == ["circles-alone"]
-    assert told("G2 I-5\n")[1] == []  # centres as coordinates need both words
-    assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # full circles that descend are a helix
+    assert told("G2 I-5\n")[1] == []  # a centre given as coordinates needs I and J
+    assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # descending full circles are a helix
     assert told("G91.1\nG2 X30 Y20 I-5 J-3\n")[1] == []
-    assert told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []  # the second arc fits only with offsets
+    assert told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []  # the second arc fits only if I and J are offsets

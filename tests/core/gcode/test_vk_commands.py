@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The list of a program's commands, compared with a list of pairs, and the memory of a long program."""
+"""The list of a program's commands, compared with a list of (name, parameters), and the memory of a long program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def commands(pairs):
     return made
 
 
-def test_commands_return_the_pairs_that_were_appended():
+def test_commands_return_the_appended_names_and_parameters():
     made = commands(PAIRS)
     assert list(made) == PAIRS and len(made) == 5 and made[4] == PAIRS[4]
     assert made.names == ["G1", "", "T5", "M6", "G1"]
@@ -39,7 +39,7 @@ def test_replaced_command_leaves_the_other_commands():
 
 
 def test_long_program_needs_few_bytes_per_command():
-    """Pairs and dictionaries would need 500 bytes per line."""
+    """A tuple with a dictionary would need 500 bytes for each line of the program."""
     read_program("G1 X1 F100")  # the first call compiles regular expressions
     text = "".join(f"G1 X{x / 1000:.3f} Y{x / 700:.3f} Z-{x / 900:.3f} F1200\n" for x in range(4_000))
     program, taken, _ = memory(lambda: read_program(text))

@@ -14,13 +14,13 @@ def codes(text):
     return [problem.what.code for problem in read_program(text).toolpath().problems]
 
 
-def test_home_after_a_cycle_does_not_descend():
+def test_move_home_after_a_cycle_does_not_descend():
     text = "G21 G90\nG0 X0 Y0\nG81 X10 Y0 Z-5 R2 F100\nG80\n{}\nG0 X5"
     for home in ("G28 Z0", "G30 Z0", "G53 G0 Z0", "G91 G28 Z0\nG90"):
         assert points(text.format(home))[-2:] == [[10, 0, 2], [5, 0, 2]]
 
 
-def test_home_rises_to_the_r_plane_of_a_cycle():
+def test_move_home_rises_to_the_r_plane_of_a_cycle():
     commands = [("G0", {"X": 0, "Y": 0, "Z": 1}), ("G81", {"X": 5, "Z": -5, "R": 8, "F": 2}), ("G80", {}),
                 ("G0", {"Z": 1}), ("G28", {"Z": 0}), ("G0", {"X": 9})]  # fmt: skip
     assert linearize(commands).points[-1].tolist() == [9, 0, 8]

@@ -235,7 +235,7 @@ def test_rounding_does_not_add_a_peck():
     feeds = toolpath.points[1:][~toolpath.rapid]
     assert feeds[:, 2] == pytest.approx([-0.1 * k for k in range(1, 12)])
     at_retract = toolpath.points[1:][toolpath.rapid][:, 2] == 0
-    assert at_retract.sum() == 1 + 10  # once on the way in, and 10 times between the pecks
+    assert at_retract.sum() == 1 + 10  # the tool is there once on the way in, and 10 times between the pecks
 
 
 def test_hole_with_whole_pecks_ends_at_its_bottom():
@@ -276,15 +276,15 @@ def test_other_canned_cycles_reach_their_depth_once(name):
 @pytest.mark.parametrize(
     "words, feed",
     [
-        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # FreeCAD 1.1 writes the pitch
-        ({"F": 400, "S": 500}, 400),  # FreeCAD's import gives the feed in mm/min
+        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # F is the pitch, as FreeCAD 1.1 writes it
+        ({"F": 400, "S": 500}, 400),  # F is the feed in mm/min, as in imported programs
         ({"F": 6.5}, 6.5),
         ({"F": 0.8, "S": 0}, 0.8),
     ],
 )
 def test_tap_feed_is_pitch_times_speed(code, words, feed):
     tapped = linearize([("G0", {"X": 10, "Y": 5, "Z": 10}), (code, {"X": 10, "Y": 5, "Z": 0, "R": 4, **words})])
-    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # into the hole, and out of it
+    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # one feed move goes in, the other goes out
 
 
 @pytest.mark.parametrize("feed", [-3.0, 0.0, 1e-7, float("nan"), float("inf")])

@@ -24,9 +24,9 @@ def codes(text):
 
 @pytest.mark.parametrize("text, ends", [
     ("G68 X0 Y0 R90\nX10\nY5\nG69\nX1 Y1", [[0, 10, -1], [-5, 10, -1], [1, 1, -1]]),
-    ("G68 X10 Y0 R90\nX20 Y0\nY5", [[10, 10, -1], [5, 10, -1]]),  # a missing coordinate is the tool's position
+    ("G68 X10 Y0 R90\nX20 Y0\nY5", [[10, 10, -1], [5, 10, -1]]),  # without an X, the tool keeps its programmed X
     ("G68 X0 Y0 R30\nX10\nG91 Y10", [[8.6603, 5, -1], [3.6603, 13.6603, -1]]),
-    ("X4 Y0\nG68 R180\nX6", [[4, 0, -1], [2, 0, -1]]),  # the centre is the tool's position
+    ("X4 Y0\nG68 R180\nX6", [[4, 0, -1], [2, 0, -1]]),  # without X and Y, the rotation's centre is the tool's position
     ("G68 X0 Y0 R-90\nX10 Y0\nX10 Y2 Z-3", [[0, -10, -1], [2, -10, -3]]),
     ("G51 X0 Y0 Z0 P2000\nX5\nG91 Y3 Z-1\nG90 G50\nX1", [[10, 0, -1], [10, 6, -3], [1, 6, -3]]),
     ("G51 X2 Y0 I0.5 J0.5\nX10 Z-2", [[6, 0, -2]]),
@@ -79,5 +79,5 @@ def test_holes_are_rotated_and_scaled():
     ("G68 X0 Y0 R30 G18", "G68"), ("G68 X0 Y0 R30\nG92 X1", "G92"), ("G51.1 X0\nG52 X1", "G52"),
     ("G10 L2 P1 R30\nG10 L20 P2 X0", "G10"), ("G10 L2 P2 R30\nG10 L20 P2 X0", "G10"),
 ])  # fmt: skip
-def test_mapping_that_is_not_read_has_a_remark(code, name):
+def test_rotation_or_scaling_that_is_ignored_has_a_remark(code, name):
     assert codes(f"{code}\nG2 X5 Z-1 R9") == [("coordinates-not-changed", name)]

@@ -83,7 +83,7 @@ def test_probing_moves_the_tool_to_its_target():
     assert path.points[2:].tolist() == [[8, 0, -1], [8, 0, 8], [9, 0, 8]]
     assert path.rapid.tolist() == [False, True, True, False]
     assert [problem.what.code for problem in path.problems] == ["probing-as-rapid"]
-    assert end("G31 X8\nX3") == [3, 0, -1]  # G31 holds for one line only, so the next line cuts
+    assert end("G31 X8\nX3") == [3, 0, -1]  # G31 applies to one line only, so the next line cuts
 
 
 def test_feed_rate_next_to_a_unit_change_has_a_remark():
@@ -117,13 +117,13 @@ def test_raw_freecad_paths_have_feeds_per_second():
 
 
 @pytest.mark.parametrize("code", ["G92 X1", "G52 X-1", "G10 L20 P1 X1"])
-def test_unit_counts_for_all_codes_of_its_line(code):
+def test_unit_code_applies_to_all_codes_of_its_line(code):
     start = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n"
     first, last = f"G20 {code}", f"{code} G20"
     ends = [read_program(f"{start}{line}\nG21\nX0\n").toolpath().points[-1].tolist() for line in (first, last)]
     assert ends[0] == ends[1] == [pytest.approx(-25.4), 0, -1]
 
 
-def test_codes_that_reset_a_shift_leave_the_words_of_other_codes():
+def test_words_of_g10_beside_g92_3_belong_to_g10():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG10 L2 P2 X9 G92.3\nY3\n").toolpath()
     assert path.points[-1].tolist() == [0, 3, -1]

@@ -468,7 +468,7 @@ def test_subprogram_definition_is_not_executed():
     assert points(text) == [list(p) for p in POINTS] and said(text) == []
 
 
-def test_equal_problems_are_counted():
+def test_equal_problems_are_one_problem_with_a_count():
     assert said(PLAIN + "#1=[[1]\n#2=FOO[1]\n") == [
         "Line 5 (first of 2): Lines with variables or expressions are ignored."
     ]

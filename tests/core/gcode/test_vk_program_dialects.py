@@ -94,9 +94,7 @@ def test_program_does_not_call_itself_as_a_subprogram():
 @pytest.mark.parametrize(("other", "calls_500"), [("10500", False), ("9", True)])
 def test_p10500_calls_500_once_if_10500_is_missing(other, calls_500):
     text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
-    assert (
-        "Line 1: A subprogram or macro call is ignored." in said(text)
-    ) == calls_500  # what is read ends before the call
+    assert ("Line 1: A subprogram or macro call is ignored." in said(text)) == calls_500  # reading ends before the call
     assert read_program(text).toolpath().points[-1, 0] == (77 if calls_500 else 10)
 
 

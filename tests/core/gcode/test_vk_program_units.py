@@ -58,10 +58,10 @@ def test_fast_or_large_toolpath_does_not_look_like_inches():
     "changed, imported, said",
     [
         ({}, False, True),
-        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # 15 inches would be a large part
-        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # with 0.5 mm of depth, 4 inches of lift
-        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # 300 inches a minute would be fast
-        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import keeps mm/min as mm/s
+        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # a part of 15 inches would be large
+        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # a lift of 4 inches would be too high
+        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # a feed of 300 inches a minute would be fast
+        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import stores mm/min as mm/s
     ],
 )  # fmt: skip
 def test_size_and_feed_limits_decide_about_inches(changed, imported, said):

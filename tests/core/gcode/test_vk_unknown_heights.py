@@ -34,7 +34,7 @@ def test_move_after_another_tool_length_has_a_remark(change, move):
 
 
 @pytest.mark.parametrize("change", ["G49", "G43 H0", "G43 H1 Z5\nG43 H1", "G43 H1 Z5\nG0 X3"])
-def test_same_tool_length_has_no_remark(change):
+def test_move_with_the_same_tool_length_has_no_remark(change):
     assert codes(f"{CUT}{change}\nG1 X5") == []
 
 

@@ -55,7 +55,7 @@ def test_inverse_time_feeds_are_not_speeds():
     assert [note.code for note in machining(path).left_out] == ["cutting-untimed"]
 
 
-def test_time_without_a_known_dwell_has_a_note():
+def test_machining_time_without_a_known_dwell_has_a_note():
     assert [note.codes for note in machining(linearize([*START, ("G4", {"S": 1.0})])).left_out] == [
         ("in-commands", "dwell-untimed")
     ]

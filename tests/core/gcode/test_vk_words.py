@@ -30,7 +30,7 @@ class Command:
 def many(monkeypatch):
     """Return the number of commands, and reduce the batch size to an eighth of it.
 
-    With small batches, few commands show that the memory depends on the batch and not on the whole.
+    With small batches, few commands show that the memory depends on the batch size and not on the number of commands.
     """
     monkeypatch.setattr(words, "_PIECE", 1_500)
     return 12_000

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Expressions, O-words and Fanuc's macros are followed like a control does, within reported limits."""
+"""Expressions, O-words and Fanuc's macros are executed as a control executes them, within reported limits."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ LINUXCNC = {
 
 
 @pytest.mark.parametrize("case", LINUXCNC)
-def test_o_words_are_followed_like_linuxcnc_does(case):
+def test_o_words_are_executed_as_linuxcnc_executes_them(case):
     text, expected = LINUXCNC[case]
     assert xs(f"{HEAD}{text}\n") == expected and said(f"{HEAD}{text}\n") == []
 
@@ -109,7 +109,7 @@ FANUC = {
 
 
 @pytest.mark.parametrize("case", FANUC)
-def test_macros_are_followed_like_fanuc_does(case):
+def test_macros_are_executed_as_fanuc_controls_execute_them(case):
     main, macro, expected = FANUC[case]
     text = f"O1\n{HEAD}{main}\n{macro}\n"
     assert xs(text) == expected and said(text) == []
@@ -142,7 +142,7 @@ def test_reading_ends_if_a_program_cannot_be_followed(line, why):
     assert said(text)[-1].endswith(f": {END}{why}")
 
 
-def test_coordinates_of_the_tool_are_known():
+def test_variables_with_the_tools_position_are_known():
     linuxcnc = HEAD + "G52 X10\nG20 X1\nY[#5420+#<_y>]\no1 while [#<_x> LT 3]\nG91 X1\nG90\no1 endwhile\nG21 X#5420"
     assert ends(linuxcnc) == [(35.4, 0, 0), (35.4, 25.4, 0), (60.8, 25.4, 0), (86.2, 25.4, 0), (13, 25.4, 0)]
     assert said(linuxcnc) == []
@@ -150,13 +150,13 @@ def test_coordinates_of_the_tool_are_known():
     assert ends(fanuc)[-1] == (3, 6, 0) and said(fanuc) == []
 
 
-def test_value_from_the_machine_matters_only_if_it_is_used():
+def test_reading_ends_only_where_a_machine_value_is_needed():
     text = f"O1\n{HEAD}#100=#4003\nIF[#5405 GE 9]THEN #3000=1\nX3\nS#4119 M3\nX4\nG#100 X5\nX6"
     assert xs(text) == [3, 4]
     assert said(text) == ["Line 8: S words are ignored.", f"Line 10: {END}The value of #4003 comes from the machine."]
 
 
-def test_unknown_result_of_a_subprogram_matters_if_used():
+def test_reading_ends_where_an_unknown_result_is_needed():
     text = f"o1 sub\nX[#2]\no1 endsub [#5063]\n{HEAD}o1 call [#5061] [3]\n#<top>=[#<_value>+2]\nX4\nX#<top>\nX5"
     assert xs(text) == [3, 4] and said(text) == [f"Line 10: {END}The value of #5063 comes from the machine."]
 

@@ -99,7 +99,7 @@ def test_unreadable_or_missing_call_has_a_remark(call):
     ("before", "beside", "titles"),
     [("", "", ["Facing"]), ("", "; (faces)", ["faces"]), ("(Top)\n", "", ["Top"]), ("G1 X9\n(Top)\n", "", ["", "Top"])],
 )
-def test_comments_name_untitled_sections_without_dividing(before, beside, titles):
+def test_comments_in_subprograms_name_but_do_not_divide(before, beside, titles):
     lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\n(over)\nY5\nX0\nM99"
     text = f"O1\n{BEFORE}{before}M97 P10 L2 {beside}\nG0 X0\nM97 P10\nM30\n{lines}"
     assert [section.title for section in split_sections(read_program(text))] == titles
@@ -119,7 +119,7 @@ def test_recursive_subprogram_ends():
 LIMIT = "Line {}: The program is read up to this line. Loops, jumps and calls would run more than {} lines, which is the limit."
 
 
-def test_calls_end_at_the_limit_of_lines(monkeypatch):
+def test_reading_ends_if_calls_exceed_the_limit_of_lines(monkeypatch):
     monkeypatch.setattr(flow, "MOST_LINES", 1000)
     chain = "".join(f"O{k}\nG1 X{k}\nM98 P{k + 1} L10\nM99\n" for k in range(100, 109)) + "O109\nG1 Y9\nM99"
     text = f"O1\n{BEFORE}M98 P100 L10\nX7\nM30\n{chain}"
