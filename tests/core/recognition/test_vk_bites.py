@@ -59,7 +59,7 @@ def test_stroke_that_bends_less_than_a_quarter_is_not_a_bite():
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
 
 
-def test_arc_of_the_other_sense_is_counted_against_bites():
+def test_arc_bent_in_the_other_sense_is_counted_against_bites():
     assert bites(arc(0), arc(2), arc(4), arc(100, clockwise=True)) == "bbba"
     assert bites(arc(0, clockwise=True), arc(2, clockwise=True), arc(4, clockwise=True), arc(6)) == "bbba"
 

@@ -42,7 +42,7 @@ def test_lengths_and_steps_of_arcs_in_one_direction_are_measured():
     assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
     assert arcs.length == pytest.approx(QUARTER * 52, rel=1e-3)
     assert arcs.step == pytest.approx(2, rel=1e-3) and arcs.even == pytest.approx(1)
-    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)  # the shorter arc of each pair counts
+    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)  # of two neighbours, the shorter arc counts
 
 
 def test_arcs_cut_back_and_forth_are_opposite_to_neighbours():

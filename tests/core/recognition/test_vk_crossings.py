@@ -62,12 +62,12 @@ def test_rows_at_two_depths_are_compared_at_each_depth():
     assert plan["count"] == pytest.approx(log1p(ROWS - 1)) and plan["step"] == pytest.approx(log(STEP / EXTENT))
 
 
-def test_rows_cut_in_turns_from_both_sides_are_not_next():
+def test_neighbours_cut_from_both_sides_are_not_consecutive():
     """In the order 0, 9, 1, 8, ..., only the two neighbouring rows in the middle are cut one after the other."""
     order = np.ravel(np.column_stack((np.arange(5), np.arange(9, 4, -1))))
     _, level, _ = told(rows(np.zeros(ROWS), STEP * order))
     assert level["next"] == pytest.approx(1 / 9)
-    assert level["monotonous"] == pytest.approx(7 / 8)  # except in the middle, where the two sides meet
+    assert level["monotonous"] == pytest.approx(7 / 8)  # not in the middle, where the sides meet
     backwards = told(rows(np.zeros(ROWS), STEP * np.arange(ROWS)[::-1]))[1]
     assert backwards == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)
 
@@ -105,7 +105,7 @@ def test_strokes_between_scan_lines_have_no_measures():
     assert crossings == 0 and level == plan == NOTHING
 
 
-def test_crossings_are_sampled_in_the_middle():
+def test_crossings_are_sampled_from_the_middle_rows():
     """Two scan lines take their 600 crossings from the middle 600 of 2,000 rows.
 
     The middle rows are cut in one direction. The rows before and after are cut back and forth.
@@ -132,7 +132,7 @@ def test_two_similar_row_distances_count_as_one(wider, usual, even):
     assert level["tight"] == pytest.approx(np.median(np.abs(np.array([1, wider][: int(2 * even)]) / usual - 1)))
 
 
-def test_scan_lines_lie_where_most_of_the_cutting_is():
+def test_scan_lines_cross_the_part_with_most_of_the_cutting():
     """No scan line crosses the long lead beside the rows."""
     lead = [[(-400.0, 0.0, 0.0), (-401.0, 0.0, 0.0)]]
     crossings, level, _ = told([*programs.program(lead), *programs.one_way(ROWS, 50.0, STEP)])

@@ -58,7 +58,7 @@ def test_profile_of_two_nested_contours_has_no_stepover():
     assert found.sense == "ccw" and found.milling is None
 
 
-def test_rows_have_a_direction_and_depths():
+def test_rows_report_a_direction_and_depths():
     found = found_in(programs.zigzag(10, 50.0, 3.0, depths=(0.0, -2.0)))
     assert (found.strategy, found.passes, found.depths) == (Strategy.ZIGZAG, 20, 2)
     assert found.direction == pytest.approx(0.0) and found.stepover == pytest.approx(3.0)
@@ -93,7 +93,7 @@ def test_repeated_contour_has_depths_and_no_stepover():
     assert "3 depths" in found.reason and "apart" not in found.reason
 
 
-def test_grid_has_the_rows_of_both_directions():
+def test_grid_reports_the_rows_of_both_directions():
     across = [[(0.0, 3.0 * row, 0.0), (60.0, 3.0 * row, 0.0)] for row in range(20)]
     down = [[(4.0 * row, 0.0, 0.0), (4.0 * row, 57.0, 0.0)] for row in range(16)]
     found = found_in(programs.program(across + down))
@@ -145,8 +145,8 @@ def test_stepover_is_row_distance_or_grid_period():
 
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
-def test_grid_has_a_stepover_if_one_family_is_in_rows(downward, stepover):
-    """Two lines lie in every 3 mm. In the family across them, no line is followed by its neighbour."""
+def test_grid_has_a_stepover_if_one_direction_is_in_rows(downward, stepover):
+    """Two lines lie in every 3 mm. In the family of rows across these lines, no line is followed by its neighbour."""
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [
         [(x, 3.0 * (k // 2) + 0.6 * (k % 2), 0), (u, 3.0 * (k // 2) + 0.6 * (k % 2), 0)]

@@ -187,7 +187,7 @@ def test_surprise_is_the_entropy_of_the_turns():
     assert found["sense_keeps"] == pytest.approx(8 / 15)
 
 
-def test_turns_are_sampled_in_the_middle():
+def test_turns_are_sampled_from_the_middle_strokes():
     """Bent strokes of three moves turn left and right alternately.
 
     The moves of the first and the last 150 strokes are longer.
@@ -215,7 +215,7 @@ def test_measures_of_straight_strokes_have_no_turns():
 
 @pytest.mark.parametrize("rows", [(3.0, 3.0), (3.0, 5.0)])
 def test_measures_of_a_grid_combine_both_families_of_rows(rows):
-    """Sums contain both families of the grid. Proportions describe only the family with longer rows."""
+    """Sums contain both families of rows of the grid. Proportions describe only the family with the longer rows."""
     step, other = rows
     across = [[(0.0, step * k, 0.0), (60.0, step * k, 0.0)] for k in range(12)]
     down = [[(other * k, 0.0, 0.0), (other * k, 33.0, 0.0)] for k in range(12)]
@@ -234,7 +234,7 @@ def test_area_turning_more_than_once_counts_as_winding(turns, around):
     holds(told(programs.program([spiral, straight])), {"around_areas": around * length / (length + 50)})
 
 
-def test_windings_have_their_share_of_the_length():
+def test_length_share_of_a_winding_is_its_length_over_the_total():
     spiral = winding(30.0, 12.0, 3)
     rows = [(200.0 + x, 3.0 * row, 0.0) for row in range(6) for x in ((0.0, 40.0), (40.0, 0.0))[row % 2]]
     around, straight = (sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(of, of[1:])) for of in (spiral, rows))

@@ -30,7 +30,7 @@ def line(y, x=0.0, length=50.0, z=0.0, slant=0.0):
     return [(x, y, z), (x + length, y + slant, z)]
 
 
-def test_offsets_of_a_corner_have_their_step():
+def test_step_of_offsets_around_a_corner_is_their_distance():
     found = neighbours([corner(2.0 * k) for k in range(6)])
     assert (found.count, found.share, found.even, found.onward) == pytest.approx((6, 1, 1, 1))
     assert found.step == pytest.approx(2.0, abs=0.05)
@@ -43,9 +43,9 @@ def test_offsets_cut_back_and_forth_do_not_go_onward():
 
 @pytest.mark.parametrize("lag", [1, 2, 3, 4])
 def test_neighbour_of_a_stroke_is_one_of_the_last_three(lag):
-    """The offsets of `lag` walls are cut in turns.
+    """The offsets of `lag` walls are cut alternately: one offset of each wall, then the next offset of each wall.
 
-    The first stroke of the first wall counts without a stroke before it.
+    The first stroke of the first wall counts, although no stroke was cut before this stroke.
     """
     found = neighbours([line(100.0 * wall + 2.0 * k) for k in range(5) for wall in range(lag)])
     if lag > 3:
@@ -115,7 +115,7 @@ def test_short_stroke_is_not_neighbour_of_far_long_stroke():
 
 
 def test_three_strokes_side_by_side_are_enough():
-    """Two of the three strokes have a stroke before them."""
+    """Two of the three strokes have a neighbour that was cut before."""
     assert neighbours([line(2.0 * k) for k in range(3)]).count == 3
 
 

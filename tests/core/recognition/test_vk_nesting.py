@@ -71,7 +71,7 @@ def test_offsets_may_share_the_open_side_of_a_pocket():
     assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]
 
 
-def test_ring_sharing_a_side_is_offset_if_the_others_move():
+def test_ring_sharing_a_side_is_an_offset_if_other_sides_move():
     assert distance(20.0, 16.0, aside=2.0) == [0]
     assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]  # turns of a winding may end anywhere
 
@@ -110,7 +110,7 @@ def test_rings_with_a_tool_are_within_its_reach():
 
 def test_rings_without_a_tool_are_within_two_steps():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
-    assert reached(40.0, 38.0)[0] == pytest.approx(2)  # with two rings, two steps, or a twentieth of the larger ring
+    assert reached(40.0, 38.0)[0] == pytest.approx(2)  # of two rings, a twentieth of the larger ring
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
     assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)  # the repeat of a ring does not count as a step
 
@@ -130,7 +130,7 @@ def test_steps_within_thirty_percent_are_similar():
     assert reached(*sides)[0] == pytest.approx(4)
 
 
-def test_usual_step_is_the_lower_quartile():
+def test_usual_step_between_rings_is_the_lower_quartile():
     """Two steps are 2 mm and six are 2.5 mm, so the third of the eight sorted steps is 2.5 mm."""
     sides = 60.0 - 2 * np.cumsum([0, 2, 2, *[2.5] * 6])
     assert reached(*sides)[0] == pytest.approx(5)
@@ -152,14 +152,14 @@ def test_two_rings_linked_at_their_depth_are_a_pocket():
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 0, 1, 1])[0] == pytest.approx(20)
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 1, 1, 2])[0] == pytest.approx(
         2
-    )  # linked on a ramp
-    # two of five rings are linked
+    )  # the rings are linked on a ramp
+    # Only two of the five rings are linked at their depth.
     few = reached(40.0, 20.0, 40.0, 20.0, 40.0, z=[0, 0, -1, -1, -2], areas=[0, 0, 1, 2, 3])
     assert few[0] == pytest.approx(2)
     assert reached(40.0, 20.0, tool=3.0, areas=[0, 0])[0] == pytest.approx(3.6)
 
 
-def test_evenness_is_the_spread_in_the_plane_by_that_in_depth():
+def test_evenness_is_spread_in_the_plane_over_spread_in_depth():
     """The middle four fifths of the values 0 to 10 spread by 8 around 5. A spread of 0.01 is rounding."""
     even, spread = np.full(11, 2.0), np.arange(11.0)
     assert evenness(even, spread) == pytest.approx(0.01 / 1.61)

@@ -163,16 +163,16 @@ def test_two_moves_there_and_back_are_one_pass():
 
 @pytest.mark.parametrize("middle, kind", [(20.0, ZIGZAG), (10.0, STROKE)])
 def test_alternating_half_turns_are_a_zigzag_if_long_enough(middle, kind):
-    """A row between two rows of 20 mm has 20 of 62 mm, or 10 of 52 mm. The links are 1 mm long."""
+    """The row between two rows of 20 mm has 20 of the stroke's 62 mm, or 10 of 52 mm. The links are 1 mm long."""
     stroke = [(0, 0, 0), (20, 0, 0), (20, 1, 0), (20 - middle, 1, 0), (20 - middle, 2, 0), (40 - middle, 2, 0)]
     assert pieces_of(stroke).kind.tolist() == [kind]
 
 
 @pytest.mark.parametrize("rows, kind", [(4, STROKE), (6, ZIGZAG)])
-def test_mostly_back_and_forth_is_a_zigzag(rows, kind):
-    """A path around the rows follows the rows.
+def test_stroke_mostly_back_and_forth_is_a_zigzag(rows, kind):
+    """After the rows, the stroke continues around the rows.
 
-    Three or five passes lie between opposite half-turns, and two between equal ones.
+    The half-turns at the two ends of a pass are opposite for three (of four rows) or five passes, and equal for two.
     """
     top = 3.0 * (rows - 1)
     around = [(0, top + 3), (40, top + 3), (40, -10), (0, -10), (0, top + 6), (40, top + 6)]
@@ -192,9 +192,9 @@ def test_slanted_letters_are_not_rows(letter):
 
 
 def test_few_rows_must_be_parallel_but_many_rows_may_lean():
-    """Three rows have links of 3 mm.
+    """Three parallel rows with links of 3 mm are a zigzag.
 
-    Four rows lean like the strokes of a W, and are not a zigzag; five such rows are.
+    Four rows that lean like the strokes of a W are not a zigzag. Five leaning rows are a zigzag.
     """
     assert pieces_of([(0, 0, 0), (0, 30, 0), (3, 30, 0), (3, 0, 0), (6, 0, 0), (6, 30, 0)]).kind.tolist() == [ZIGZAG]
     for passes, kind in ((4, STROKE), (5, ZIGZAG)):

@@ -164,7 +164,7 @@ def test_verdict_without_votes_has_confidence_zero():
 
 
 @pytest.mark.parametrize("other", ["adaptive", "zigzag", "engraving"])
-def test_votes_divided_within_one_family_are_added(other):
+def test_votes_for_strategies_of_one_family_are_added(other):
     votes = votes_for(contour_parallel=0.3, spiral=0.2, profile=0.17, **{other: 0.33})
     assert elected(votes, Strategy.UNKNOWN) == (Strategy.CONTOUR_PARALLEL, pytest.approx(0.3))
 

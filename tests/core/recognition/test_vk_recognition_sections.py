@@ -128,7 +128,7 @@ def test_two_sections_of_one_strategy_are_this_strategy(name):
             assert found.strategy == name, (depth, border, found.reason)
 
 
-def test_runs_of_holes_have_borders():
+def test_several_holes_in_sequence_have_borders_around_them():
     rest = [("G0", {"Z": 5.0})]
     rectangle = [
         ("G1", {"Z": -1.0}),
@@ -384,7 +384,7 @@ def test_loops_and_rows_in_one_section_are_separate_runs():
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
 
 
-def test_odds_of_difference_follow_from_both_confidences():
+def test_odds_of_difference_are_computed_from_both_confidences():
     zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
     assert _odds_of_difference(zigzag, helix) == pytest.approx(0.4 / 0.6) == _odds_of_difference(helix, zigzag)
     assert _odds_of_difference(zigzag, told(Strategy.ZIGZAG)) == 0
@@ -438,7 +438,7 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
         (ROWS, 0, None, AROUND, True, False, False),
         (AROUND, 1, None, ROWS, False, False, True),
         (AROUND, 1, 1, ROWS, True, False, True),
-        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # both strategies belong to one family
+        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # both strategies belong to one family of strategies
         (ROWS, 0, 3, Strategy.ONE_WAY, True, False, True),
         (ROWS, 0, 3, ROWS, True, False, False),
         (ROWS, 0, 0, Strategy.ONE_WAY, True, True, True),
@@ -455,7 +455,7 @@ def test_border_divides_sections_of_different_strategy(one, loops, passes, main,
     assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
 
 
-def test_longest_section_decides_if_all_deny_the_whole():
+def test_longest_section_decides_if_no_section_agrees_with_whole():
     path = linearize(programs.one_way(10))
     whole, one = told(AROUND, (0, 39, AROUND, 1.0)), np.zeros(2, int)
 

@@ -54,7 +54,7 @@ def test_stepover_of_open_offsets_is_their_step(seed):
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))
-def test_contour_without_its_spurs_turns_once(seed):
+def test_contour_without_its_detours_turns_once(seed):
     moves = monotonous_areas(linearize(dogbones(np.random.default_rng(seed), levels=1)))
     kept = without_spurs(moves)
     assert len(moves) - len(kept) == 2 * len(moves.reversals) > 0 and not len(kept.reversals)

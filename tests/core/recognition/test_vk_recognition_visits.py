@@ -38,7 +38,7 @@ def after(first, second):
 
 
 @pytest.mark.long
-def test_most_pairs_of_operations_are_divided():
+def test_most_programs_of_two_operations_are_divided():
     right = wrong = 0
     for one, first in DIFFERENT.items():
         for two, second in DIFFERENT.items():
@@ -114,7 +114,7 @@ def test_most_probable_borders_are_kept_if_too_many(monkeypatch):
     assert kept == max(every.values()) > min(every.values())
 
 
-def test_program_with_many_certain_borders_gets_no_others(monkeypatch):
+def test_program_with_many_certain_borders_gets_no_more_borders(monkeypatch):
     """Otherwise each stretch between two borders would be recognised, without an effect on the result."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(120):
@@ -367,8 +367,8 @@ def test_descent_from_the_top_is_not_a_retract():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_series_is_the_share_of_equal_neighbouring_pairs():
-    tops = [0, 0, 5, 9, 9]  # neighbouring pairs: equal, different, different, equal
+def test_series_is_the_share_of_equal_neighbouring_visits():
+    tops = [0, 0, 5, 9, 9]  # neighbouring heights are equal, different, different, equal
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     found = compare_visits(replace(visits, top=np.array(tops, float)))
     assert found["same_top"].tolist() == [1, 0, 0, 1]
@@ -399,7 +399,7 @@ def test_measures_of_one_visit_match_hand_calculation():
     assert path.command[visits.first].tolist() == [2, 14] and path.command[visits.last].tolist() == [9, 17]
 
 
-def test_confidence_of_a_mixed_program_is_that_of_its_parts():
+def test_mixed_program_has_a_confidence_like_its_operations():
     path = after(DIFFERENT["zigzag"], DIFFERENT["helix"])
     found = recognize(path, tool_diameter=TOOL, program=True)
     parts = [recognize(linearize(DIFFERENT[name]), tool_diameter=TOOL).confidence for name in ("zigzag", "helix")]

@@ -163,7 +163,7 @@ def test_tolerance_of_repeated_rings_grows_with_their_size(side, relation):
     assert related(rings_of([polygon(side), polygon(side - 0.6, z=-2)])) == [{relation}] * 2
 
 
-def test_deeper_contour_in_another_place_is_alone():
+def test_deeper_contour_in_another_place_has_no_relation():
     assert rings_of([polygon(20), polygon(24, x=300, z=-2)]).alone.all()
     # The deeper contour overlaps the upper contour only at a corner, and is not a wall of the same part.
     assert rings_of([polygon(20), polygon(20, x=15, z=-2)]).deeper.all()

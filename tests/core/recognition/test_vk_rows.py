@@ -105,7 +105,7 @@ def test_row_within_three_degrees_of_the_axis_belongs_to_it(degrees, aligned):
     assert families[0].length == pytest.approx(560 if aligned else 500, rel=1e-3)
 
 
-def test_period_of_rows_in_pairs_is_that_of_the_pairs():
+def test_period_of_rows_in_pairs_is_the_distance_of_the_pairs():
     """Two sets of lines 10 mm apart are shifted by 1 mm."""
     strokes = [[(0.0, y, 0.0), (50.0, y, 0.0)] for k in range(8) for y in (10.0 * k, 10.0 * k + 1.0)]
     (rows,) = rows_of(programs.program(strokes))
@@ -138,15 +138,15 @@ def test_rows_of_a_grid_may_lean_to_both_sides_of_the_axis():
     assert (first.typical, second.typical) == pytest.approx((60, 57), rel=1e-2)
 
 
-def test_few_moves_across_the_rows_are_not_a_family():
-    """A second family is searched only if enough length remains, and kept only if the family is long enough."""
+def test_few_moves_across_the_rows_are_not_a_family_of_rows():
+    """A second family of rows is searched only if enough length remains, and kept only if it is long enough."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     for count, families in ((0, 1), (1, 1), (2, 2), (13, 2)):
         down = [[(4.0 * row, 0.0, 0.0), (4.0 * row, 33.0, 0.0)] for row in range(count)]
         assert len(rows_of(programs.program(across + down))) == families
 
 
-def test_scattered_directions_are_not_a_second_family():
+def test_scattered_directions_are_not_a_second_family_of_rows():
     """Five lines of 20 mm in different directions have a sixth of the length of twelve rows of 50 mm."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     askew = [slanted([[(0.0, 0.0, 0.0), (20.0, 0.0, 0.0)]], 25.0 * k)[0] for k in range(1, 6)]
@@ -239,12 +239,12 @@ def fills(tool=TOOL, contour=False, **changed):
 
 
 @pytest.mark.parametrize("opposite, same, good", [(130, 0, True), (0, 130, True), (70, 60, True), (60, 60, False)])
-def test_rows_fill_if_a_quarter_lies_beside_other_rows(opposite, same, good):
+def test_rows_fill_an_area_if_a_quarter_is_beside_other_rows(opposite, same, good):
     assert fills(opposite=opposite, same=same) is good
 
 
 def test_repeats_of_lines_do_not_count_for_filling():
-    """120 mm are more than a quarter of the 400 mm without repeats, and less than a quarter of 500 mm."""
+    """The 120 mm beside other rows are over a quarter of 400 mm without repeats, and below a quarter of 500 mm."""
     assert fills(opposite=120, once=400.0) and not fills(opposite=120)
 
 
@@ -253,7 +253,7 @@ def test_repeats_of_lines_do_not_count_for_filling():
     [(7.6, 9, 0.9, True), (7.4, 9, 0.9, False), (7.4, 10, 0.9, True), (7.4, 10, 0.7, False), (4.4, 10, 0.9, False)],
 )
 def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
-    """With steps of 3 mm, the limits are 7.5 and 4.5 mm."""
+    """With steps of 3 mm between the rows, the minimum lengths are 7.5 and 4.5 mm."""
     assert fills(typical=typical, lines=lines, even=even) is good
 
 
@@ -326,7 +326,7 @@ def test_rows_wider_than_the_tool_are_not_a_grid(tool, grid):
     assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
 
 
-def test_only_the_family_that_fills_is_returned():
+def test_only_the_family_of_rows_that_fills_is_returned():
     across = replace(ACROSS, opposite=0.0)
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]
 

@@ -240,7 +240,7 @@ BORDERS = {
     "bites beside a spiral": (0.03, lambda share: beside([winding(2, 26, 8)], bites, share), "spiral", "adaptive"),
     "scribbles beside a spiral": (0.3, lambda share: beside([winding(2, 26, 8)], scribbles, share), "spiral", "adaptive"),
     "a helix before windings": (0.005, entered, "spiral", "adaptive"),
-    "a pass inside a contour, among others": (  # the pass is 0.42 of the pass and the contour
+    "a pass inside a contour, among others": (  # the pass has 0.42 of the length of pass and contour
         0.1, lambda share: beside([polygon(60, ratio=0.2), there_and_back], contours, 1 - share / 0.42), "profile", "mixed"),
     "walls that widen, among contours": (
         0.3, lambda share: beside([polygon(20 + 2 * i, z=-1.0 * i) for i in range(8)], contours, 1 - share),
@@ -252,7 +252,7 @@ BORDERS = {
 
 
 @pytest.mark.parametrize("at, draw, under, over", BORDERS.values(), ids=BORDERS)
-def test_rule_ends_at_its_threshold(at, draw, under, over):
+def test_strategy_changes_at_the_threshold_of_its_rule(at, draw, under, over):
     assert [proposed(draw(value * at)).strategy for value in (0.94, 1.06)] == [under, over]
 
 

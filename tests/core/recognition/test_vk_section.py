@@ -373,7 +373,7 @@ def test_stroke_around_a_ring_is_its_repeat():
     assert section(RING, again).filled() == 0.0
 
 
-def test_shares_are_those_of_the_whole_length():
+def test_shares_of_rings_and_strokes_are_of_the_whole_length():
     """The rings have 160 and 80 mm, and the stroke has 60 mm."""
     found = section(polygon(40), polygon(20, x=200), [(0, 0, 0), (30, 0, 0), (30, 30, 0)])
     assert found.share(np.array([True, False])) == pytest.approx(160 / 300)

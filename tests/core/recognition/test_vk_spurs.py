@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Detours out and back on one line, which reliefs in corners add to a contour."""
+"""Spurs: detours that go out and back on the same line, which reliefs in corners add to a contour."""
 
 from __future__ import annotations
 

@@ -48,7 +48,7 @@ def test_strokes_between_tags_are_one_closed_contour(tags, begin):
     around = joined(parts)
     assert len(around.start) == 1 and around.closed.all() and len(around) == len(areas(parts))
     assert around.area_length == pytest.approx([400.0])
-    # If the contour begins at a corner, phi does not include the closing turn.
+    # If the contour begins at a corner, phi does not include the turn from the last side to the first side.
     assert around.phi[-1] == pytest.approx(TURN if begin else TURN * 3 / 4)
     assert around.phi.max() - around.phi.min() == pytest.approx(around.phi[-1])
 
@@ -68,7 +68,7 @@ def test_two_strokes_between_two_tags_are_a_contour():
 
 @pytest.mark.parametrize("chords", [12, 90])
 def test_circle_over_tags_is_one_contour(chords):
-    """Each of three tags has 17 degrees."""
+    """Each of the three holding tags spans 17 degrees of the circle."""
     ends = [(k * 120.0 + 17, (k + 1) * 120.0) for k in range(3)]
     arcs = [
         [(30 * math.cos(a), 30 * math.sin(a), -2.0) for a in np.radians(np.linspace(*end, chords // 3 + 1))]
@@ -100,8 +100,8 @@ def test_tagged_contour_is_repeated_at_each_depth():
 
 @pytest.mark.parametrize("to_and_fro", [False, True])
 @pytest.mark.parametrize("tool", [None, 6.0])
-def test_tagged_strokes_form_contour_at_each_depth(to_and_fro, tool):
-    """Programs for boards cut each stroke between two bridges at all depths, before they cut the next stroke."""
+def test_strokes_between_tags_form_a_contour_at_each_depth(to_and_fro, tool):
+    """Programs for circuit boards cut a stroke between two bridges at all depths before they cut the next stroke."""
     depths = (-1.0, -2.0, -3.0)
     turns = [parts_of_sides(z, tags=1) for z in depths]
     strokes = [part[::-1] if to_and_fro and k % 2 else part for stroke in zip(*turns) for k, part in enumerate(stroke)]
@@ -179,7 +179,7 @@ def test_closed_contours_are_not_joined():
     assert unchanged([one, [(-x, -y, z) for x, y, z in one]]) and unchanged([one])
 
 
-def test_reason_depends_on_the_length_of_tagged_strokes():
+def test_reason_depends_on_the_length_of_strokes_between_tags():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     parts = parts_of_sides()
     length = 400.0 - 8 * TAG
@@ -213,7 +213,7 @@ def test_stroke_continues_another_in_its_direction(one, two, onward):
     assert _goes_on(moves, np.array([0]), np.array([1])).tolist() == [onward]
 
 
-def test_contours_beside_tagged_strokes_are_unchanged():
+def test_contours_beside_strokes_between_tags_are_unchanged():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     row = [(0.0, 200.0, -3.0), (50.0, 200.0, -3.0)]
     for strokes, starts in (
