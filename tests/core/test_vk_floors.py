@@ -20,7 +20,7 @@ pytestmark = pytest.mark.sources
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "vkworkbench"
-# The floors, from the lowest to the highest. Modules on one floor may import one another.
+# The floors (layers of the package), from the lowest to the highest. Modules on one floor may import one another.
 FLOORS = (
     ("language",),
     ("worker", "given"),
@@ -215,7 +215,7 @@ FILES = read(PACKAGE)
 
 
 @pytest.mark.long
-def test_imports_respect_floors_and_faces():
+def test_imports_respect_layers_and_public_names():
     assert list(offences(FILES)) == []
 
 

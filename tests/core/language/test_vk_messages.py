@@ -203,7 +203,7 @@ def test_volume_has_the_unit_of_its_cubes_side():
     (9.96, "10 s", "10 s"), (96.0, "1.6 min", "2 min"), (1e7, "2,800 h", "3,000 h"), (0.0, "0 ms", "0 ms"),
     (float("inf"), "inf h", "inf h"),
 ])  # fmt: skip
-def test_digits_of_a_time_follow_from_its_error(seconds, two, one):
+def test_digits_of_a_time_are_computed_from_its_error(seconds, two, one):
     assert ENGLISH.time(seconds, 1.3) == ENGLISH.estimated_time(seconds, 1.9) == two
     assert ENGLISH.time(seconds, 2.0) == one and ENGLISH.estimated_time(seconds, 4.0) == f"about {one}"
     assert ENGLISH.time(seconds, 1.01) == ENGLISH.time(seconds)
@@ -313,13 +313,13 @@ def test_list_argument_is_joined_for_the_reader():
     ("0:45", 45), (" 17:30 ", 1050), ("1:02:30", 3750), ("90:00", 5400), ("17", None), ("1:75", None), ("", None),
     ("-1:00", None), ("1:2:3:04", None),
 ])  # fmt: skip
-def test_time_of_a_clock_is_read(text, seconds):
+def test_machining_time_in_minutes_and_seconds_is_read(text, seconds):
     assert ENGLISH.seconds_of(text) == seconds
     assert seconds is None or ENGLISH.seconds_of(ENGLISH.clock(seconds)) == seconds
 
 
 @pytest.mark.parametrize("reader", [ENGLISH, German(), *map(Translated, LANGUAGES)])
-def test_estimate_in_a_sentence_is_the_time_in_the_mark(reader):
+def test_time_in_a_sentence_equals_the_time_in_the_tree(reader):
     for seconds in np.geomspace(0.004, 90_000, 30):
         mark = reader.time(seconds, ROUGH)
         for code in ("fast-forward-takes", "legacy-takes", "opengl-takes", "started-takes", "over-budget"):

@@ -267,7 +267,7 @@ def test_finished_programs_are_reported_in_order():
 
 
 def apart_in_a_thread(*asked):
-    """Return the rows of programs that one thread analyses, like the command's threads."""
+    """Return the table rows of programs that one thread analyses, like the command's threads."""
     with ThreadPoolExecutor(1) as executor:
         try:
             return [
@@ -288,7 +288,7 @@ def test_program_after_a_timeout_is_read(folder, endless):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
-def test_decompression_bomb_affects_only_its_own_row(folder, tmp_path, monkeypatch):
+def test_decompression_bomb_affects_only_its_own_result(folder, tmp_path, monkeypatch):
     """The bomb is small until it is decompressed. The programs before and after it are read."""
     monkeypatch.setattr(apart, "_MOST_MEMORY", 5e7)
     bomb = tmp_path / "bomb.nc.xz"
@@ -491,7 +491,7 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
     whole, out = tmp_path / "whole", tmp_path / "out"
     inside(folder, kind, whole)
     size = len(whole.read_bytes())
-    for most in (size - 20, 10):  # no room for the last line, and no room for the first line
+    for most in (size - 20, 10):  # the last or the first line does not fit
         with room_for(most):
             done = inside(folder, kind, out)
         then = "" if kind == "--csv" and most == 10 else "; continue with --resume"
@@ -578,7 +578,7 @@ def test_results_on_a_dask_cluster_are_the_same(folder, tmp_path, inside, endles
 
 
 @pytest.mark.long
-def test_dask_worker_that_is_killed_loses_no_row(folder, tmp_path, endless, scheduler):
+def test_dask_worker_that_is_killed_loses_no_result(folder, tmp_path, endless, scheduler):
     """Another worker analyses the program of the killed worker."""
     address, client = scheduler
     out = tmp_path / "out.csv"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""NC programs are simulated with numpy only: facts, verdict, picture and solid, from a macro and the command line."""
+"""NC programs are simulated with numpy only: facts, verdict on the job, picture and solid, by macro or command."""
 
 import subprocess
 import sys

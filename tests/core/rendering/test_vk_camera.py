@@ -94,7 +94,7 @@ def test_operation_colours_have_equal_lightness_and_spread_hues():
     assert distinct_colors(0).shape == (0, 3)
 
 
-def test_distinct_scale_and_owner_colours_are_assigned():
+def test_colours_of_operations_and_of_a_scale_are_assigned():
     colors = distinct_colors(12).astype(int)
     assert min(np.abs(a - b).sum() for i, a in enumerate(colors) for b in colors[:i]) > 20
     scale = scale_colors(np.array([0, 0.5, 1, 2, np.nan])).astype(int)

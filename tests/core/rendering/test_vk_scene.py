@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The picture of a simulation: colours by owner or by pixel, chips in front of the part, and highlights."""
+"""The picture of a simulation: colours by trajectory or by pixel, chips in front of the part, and highlights."""
 
 from __future__ import annotations
 

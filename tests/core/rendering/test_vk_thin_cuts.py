@@ -34,12 +34,12 @@ def test_engraving_is_a_line_without_gaps(tool, direction):
     assert (np.isnan(before.depth) == np.isnan(after.depth)).all()
 
 
-def test_engraving_grows_with_the_moment():
+def test_engraved_line_grows_with_the_simulated_moves():
     shown = [int((drawn(NARROW["end mill"], step=step).owner >= 0).sum()) for step in range(4)]
     assert max(shown[:2]) <= 1 and min(shown[2:]) > 400
 
 
-def test_line_tells_which_trajectory_engraved_it():
+def test_engraved_line_has_the_number_of_its_trajectory():
     shown = drawn(NARROW["end mill"], lit=(1, 2))
     assert (shown.owner == 1).sum() > 400 and (shown.owner >= 2).sum() <= 1
     lit = shown.pixels[::-1] != drawn(NARROW["end mill"]).pixels[::-1]

@@ -76,7 +76,7 @@ def test_tool_changes_take_no_time_without_a_machine():
     assert total.setup == Setup() and total.machining_seconds == 24
 
 
-def test_total_sums_the_counted_operations():
+def test_total_is_the_sum_of_the_counted_operations():
     (total,) = report(operation("One"), operation("Two"), operation("Dressed", counted=False)).totals
     assert (total.operations, total.trajectories, total.length, total.machining_seconds) == (2, 10, 200.0, 24.0)
 
@@ -136,7 +136,7 @@ def test_verdict_of_a_job_is_in_table_and_files(tmp_path):
     assert told.with_facts(replace(one, left_out=())).verdicts == {}
 
 
-def test_verdict_is_sound_until_it_is_outdated():
+def test_verdict_on_a_job_is_sound_until_it_is_outdated():
     sound = JobVerdict(Verdict(pixel=0.1).message(()), "x")
     assert sound.is_sound and not replace(sound, outdated=True).is_sound
     assert "outdated" in str(replace(sound, outdated=True)) and "No collision" in str(sound)
@@ -144,7 +144,7 @@ def test_verdict_is_sound_until_it_is_outdated():
     assert not JobVerdict(unread.message(()), "x").is_sound
 
 
-def test_row_of_a_job_names_its_fixtures():
+def test_table_row_of_a_job_names_its_fixtures():
     assert "1 operation x3 " in lines(report(operation("One"), fixtures={JOB: 3}))[-1]
     assert " x" not in lines(report(operation("One")))[-1]
 
@@ -156,7 +156,7 @@ def test_total_without_costs_shows_question_marks():
     assert lines(told)[-1].split()[-2:] == ["?", "?"]
 
 
-def test_row_ends_with_the_chosen_simulator():
+def test_table_row_ends_with_the_chosen_simulators_cost():
     cost = SimpleNamespace(seconds=7.0, memory_bytes=3e6, factor=1.0)
     row = operation("One", costs={"legacy": cost}, remarks=())
     assert table_of([row], [], "legacy").splitlines()[-1].split()[-4:] == ["7.0", "s", "3.0", "MB"]
@@ -166,7 +166,7 @@ def test_row_ends_with_the_chosen_simulator():
 @pytest.mark.parametrize("seconds, code", [
     (20.0, "more-than-sum"), (5.0, "less-than-sum"), (10.5, None), (9.5, None), (None, None),
 ])  # fmt: skip
-def test_difference_from_the_sum_has_a_reason(seconds, code):
+def test_difference_of_a_total_from_the_sum_has_a_reason(seconds, code):
     def costs(seconds):
         return {} if seconds is None else {"legacy": SimpleNamespace(seconds=seconds, memory_bytes=0.0, factor=1.0)}
 

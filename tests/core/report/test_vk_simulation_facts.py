@@ -79,7 +79,7 @@ def test_missing_stock_has_its_own_column(tmp_path):
     assert (row["deepest_gouge"], row["stock_lacks"]) == ("0.75", "4.0")
 
 
-def test_verdict_is_below_table_and_in_file(tmp_path):
+def test_verdict_on_the_job_is_below_table_and_in_file(tmp_path):
     unchecked = (Source(1, 4, 4), Source(1, 9, 9))
     found = replace(FOUND, verdict=Verdict(pixel=0.125, met=True, crashes=2, unchecked=unchecked))
     text = (
@@ -93,7 +93,7 @@ def test_verdict_is_below_table_and_in_file(tmp_path):
     assert data["unchecked"] == [{"label": "=Pocket", "command": 4}, {"label": "=Pocket", "command": 9}]
 
 
-def test_repr_of_facts_is_one_line():
+def test_repr_of_simulation_facts_is_one_line():
     assert repr(FOUND) == f"<SimulationFacts of {len(FOUND.operations)} operations>"
     assert repr(replace(FOUND, operations=FOUND.operations[:1])) == "<SimulationFacts of 1 operation>"
 
@@ -111,7 +111,7 @@ def test_labels_cannot_break_the_table_or_the_terminal():
     assert str(replace(FOUND, operations=(("Top\n\x1b[2Jface", CLEAN),))).splitlines()[1].startswith("Top [2Jface  ")
 
 
-def test_facts_are_written_as_csv_and_json(tmp_path):
+def test_simulation_facts_are_written_as_csv_and_json(tmp_path):
     FOUND.to_csv(tmp_path / "facts.csv")
     FOUND.to_json(tmp_path / "facts.json")
     clean, faulty, job = read(tmp_path / "facts.csv")

@@ -127,7 +127,7 @@ def test_play_takes_the_sum_of_its_frames(speed):
 def test_unfinished_arc_is_drawn_up_to_the_current_step():
     """On average, half of the arc is drawn.
 
-    The distance of the camera follows from the sides of the stock in X and Y.
+    The distance of the camera is computed from the sides of the stock in X and Y.
     """
     path, only = linearize(arcs(1, 20.0)[1:]), Constants(refresh=0.0, frame=0.0)
     low, high = (

@@ -192,7 +192,7 @@ def test_memory_beyond_the_budget_gives_a_caution():
 
 
 def test_worst_caution_is_first(monkeypatch):
-    """The order does not depend on the simulator."""
+    """The order of the cautions does not depend on their simulators."""
     told = [Caution(code, Message("no-moves")) for code in ("short-moves", "legacy-ramp", "long-play", "legacy-hangs")]
     simulators = [
         replace(s, cautions=lambda *_, own=own: own) for s, own in zip(available((1, 1)), (told[:2], told[2:]))

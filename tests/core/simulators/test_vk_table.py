@@ -139,7 +139,7 @@ def test_one_more_entry_of_a_simulator_appears_everywhere(wireframe, tmp_path):
     assert kept.from_data("wireframe", as_kept) == total.costs["wireframe"]
 
 
-def test_advice_numbers_are_0_if_nothing_is_in_the_budget():
+def test_advised_image_size_is_0_if_no_image_is_in_the_budget():
     why = Message("no-image")
     assert ZBUFFER.advice.numbers(Resolution(None, 1.0, 1.0, why)) == (0, 0)
     assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)

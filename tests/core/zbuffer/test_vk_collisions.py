@@ -23,7 +23,7 @@ def through(*points):
 
 
 def pocket(depths, margin=1.5, step=1.5):
-    """Return the moves that clear a pocket from (10, 10) to (50, 30) in layers."""
+    """Return the moves that clear a pocket from (10, 10) to (50, 30) at several depths."""
     points = []
     for z in depths:
         rows = np.arange(10 + margin, 30 - margin + 1e-9, step).tolist()
@@ -72,14 +72,14 @@ def test_tool_with_long_flutes_has_no_collision():
 
 @pytest.mark.parametrize("thicker, command", [(0.0, None), (0.05, 104), (1.0, 104)])
 def test_shank_thicker_than_flutes_rubs_at_the_wall(thicker, command):
-    """The flutes have cut the wall before, layer by layer. The first plunge deeper than 8 mm is the first collision."""
+    """The flutes cut the wall before, at several depths. The first plunge deeper than 8 mm is the first collision."""
     found = told((pocket(range(38, 8, -2)), replace(MILL, shank_diameter=3 + thicker, length=60)))
     assert found == ({("shank", 0): (command, 387, 22.0)} if command else {})
 
 
 @pytest.mark.parametrize("thicker, collides", [(0.0, False), (0.05, True)])
 def test_shank_thicker_than_flutes_rubs_in_a_slot(thicker, collides):
-    """A slot of 60 mm along a row of pixels, in layers of 7 mm with flutes of 8 mm."""
+    """A slot of 60 mm along a row of pixels is cut in steps of 7 mm in depth with flutes of 8 mm."""
     tool = Tool("endmill", 6, cutting_edge_height=8, shank_diameter=6 + thicker)
     found = told((slot(7), tool), (slot(14), tool))
     assert found == ({("shank", 1): (1, 1, 6.0)} if collides else {})

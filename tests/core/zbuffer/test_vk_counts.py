@@ -20,14 +20,14 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
     ("owners", "unconnected"),
     [
         ([7], False),
-        ([GAP, 2, 5, UNCUT], False),  # cut from the near end of the ray
-        ([UNCUT, 4, 1, 3, UNCUT], False),  # a gap that grew in both directions
+        ([GAP, 2, 5, UNCUT], False),  # the ray was cut from its near end
+        ([UNCUT, 4, 1, 3, UNCUT], False),  # the gap grew in both directions
         ([2, UNCUT, 1], True),  # material is left between two gaps
-        ([UNCUT, 1, 4, 2, UNCUT], True),  # two gaps that a third cut joined
+        ([UNCUT, 1, 4, 2, UNCUT], True),  # a third cut joined two gaps
     ],
 )
 def test_unconnected_cuts_leave_a_maximum_of_trajectory_numbers(owners, unconnected):
-    others = [UNCUT, 1, UNCUT]  # Pieces of the rays before and after: a maximum at the end of a ray does not count.
+    others = [UNCUT, 1, UNCUT]  # pieces of the previous and the next ray, which are not compared with this ray
     rays = np.repeat(np.arange(3), [3, len(owners), 3])
     pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
     assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]

@@ -55,7 +55,7 @@ def test_selected_tiles_keep_their_trajectories():
         (5, [[FIRST, EMPTY, LAST]]),
     ],
 )
-def test_blocks_have_whole_tiles_within_pair_limit(pairs, blocks):
+def test_blocks_have_whole_tiles_and_a_limited_number_of_pairs(pairs, blocks):
     assert [told(block) for block in SOME.blocks(pairs)] == blocks
 
 
@@ -78,7 +78,7 @@ def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
 
 
 def reached(*tiles, near=-5.0, far=5.0):
-    """Return the pairs that stay in tiles, each given as a list of (reached depth, opened depth)."""
+    """Return the pairs of a tile and a trajectory that stay. Each tile is a list of (reached depth, opened depth)."""
     tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
     start = np.searchsorted(tile, np.arange(len(tiles)))
     reach, opens = (np.array([pair[k] for own in tiles for pair in own], float) for k in (0, 1))
@@ -95,13 +95,13 @@ NO = -np.inf
         ([(1, 1), (1, 1)], [0]),
         ([(1, 0), (0.5, NO)], [0, 1]),
         ([(1, 0), (-0.5, NO), (0, NO), (0.1, NO)], [0, 3]),
-        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),  # the pair that opens to depth 2 limits the later pairs
+        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),  # later trajectories are compared with the opened depth 2
         ([(-5, NO), (-4, NO)], [1]),  # depths above the rays count as not reached
         ([(9, 9), (20, 9)], [0]),  # below the rays, no material is left
         ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # a difference within rounding is not deeper
     ],
 )
-def test_pair_stays_if_deeper_than_earlier_pairs(pairs, stay):
+def test_trajectory_stays_in_a_tile_if_deeper_than_earlier_ones(pairs, stay):
     assert reached(pairs) == stay
 
 
@@ -168,8 +168,8 @@ def test_small_tiles_cover_a_sloped_and_a_level_slot():
 
 
 @pytest.mark.parametrize("slots", [1, 20])
-def test_each_pair_is_counted_once_at_every_tile_size(slots):
-    """Each slot is deeper than the slot before, and covers a tile of 64 pixels. The pairs of 20 slots exceed one batch.
+def test_pair_of_tile_and_trajectory_counts_once_at_every_size(slots):
+    """Each slot is deeper than the one before, and covers 64 x 64 pixels. The tests of 20 slots exceed one batch.
 
     There are four quarters for each of 1, 4, 16, 64 and 256 tiles, and then 64 by 64 pixels.
     """

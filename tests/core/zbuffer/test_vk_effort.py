@@ -23,12 +23,12 @@ FLAT = Tool("endmill", 6)
 
 
 def of_kind(**amounts):
-    """Return amounts by kind of pair: kind_2=5 means five pairs of kind 2."""
+    """Return amounts by the kind of pair (a tile and a trajectory): kind_2=5 means five pairs of kind 2."""
     return tuple(float(amounts.get(f"kind_{kind}", 0)) for kind in range(KINDS))
 
 
-# Two levels: tiles of 64 pixels, then of 32 pixels with four times as many pairs. Pixels of tiles of 16 have twice as
-# many.
+# Two levels of tiles: tiles of 64 pixels, then tiles of 32 pixels with four times as many pairs of a tile and a
+# trajectory. The tiles of 16 pixels, whose pixels are cut, have twice as many pairs as the tiles of 32 pixels.
 WORK = Work(
     trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_3=4e5)),
     cells=of_kind(kind_2=2 * 16**2 * 4e5), unconnected=0.25, records=(3, 2), bands=2, kinds=1.5,
@@ -41,14 +41,14 @@ def test_amounts_of_work_match_hand_count():
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
     assert cells == pytest.approx(2 * 16**2 * 4e5 * (CELLS[2] + 0.25 * SORTED))
     assert records == pytest.approx(3 * RECORDS[0] + 2 * RECORDS[1])
-    # The number of blocks of a level is at least the number of bands, and at least the number of the preceding level.
+    # A level of tiles has at least as many blocks as the image has bands, and at least as many as the preceding level.
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
 def test_work_of_finer_image_moves_to_the_next_tile_size():
-    """An image has four times as many pixels.
+    """The finer image has four times as many pixels.
 
-    The cells grow by the geometric mean of 2 (the last tiles) and 4 (the pixels).
+    The number of cells grows by the geometric mean of 2 (growth to the last tiles) and 4 (growth of the pixels).
     """
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts(4.0)
     assert (trajectories, pixels, first) == (10, 4000, 200)
@@ -70,10 +70,10 @@ def test_blocks_are_at_least_the_bands_of_the_image():
     "levels, growth, finer",
     [
         ([1, 2, 16], 1, [1, 2, 16]),
-        ([1, 2, 16], 2, [sqrt(2), 4, 16]),  # half a level further; each growth is limited to 4
+        ([1, 2, 16], 2, [sqrt(2), 4, 16]),  # the shift is half a level, and each growth is limited to 4
         ([1, 4], 4, [4, 16]),
         ([1, 4], 0.25, [0.25, 1]),
-        ([4, 2], 4, [4, 4]),  # the pairs of a finer level are not fewer
+        ([4, 2], 4, [4, 4]),  # a finer level has at least as many pairs
         ([5], 4, [20]),
         ([], 4, []),
         ([0, 4], 3, [0, 12]),
@@ -98,7 +98,7 @@ def test_cells_without_levels_grow_like_the_pixels():
 
 
 def test_kinds_of_pairs_are_numbered_in_order():
-    """The number of a kind follows from the tool, from level or sloped move, and from the view."""
+    """The number of a kind depends on the tool, on the move (level or sloped) and on the view."""
     tools = [FLAT, Tool("vbit", 6, tip_angle=pi / 2), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1)]
     found = [
         effort._kind_number(Kind(tool, level), upright)
@@ -116,7 +116,7 @@ def tiles(sizes, side=8):
     return Tiles(side, side * np.arange(len(sizes)), np.zeros(len(sizes), np.int64), first, np.arange(first[-1]))
 
 
-def test_pairs_are_counted_by_kind_and_weight():
+def test_pairs_of_tile_and_trajectory_are_counted_by_kind():
     kind = np.array([5, 7, 7])
     assert effort._count_pairs(tiles([2, 1]), np.array([10.0, 2.0]), kind).tolist() == list(
         of_kind(kind_5=10, kind_7=12)
@@ -135,7 +135,7 @@ def test_all_tiles_are_kept_if_pairs_are_few():
 
 
 def test_equal_tiles_are_drawn_evenly():
-    """200 pairs are 20 of 100 tiles with 10 pairs each, one from every five consecutive tiles."""
+    """200 pairs of a tile and a trajectory are 20 of 100 tiles of 10 pairs, one of every five consecutive tiles."""
     drawn, weight = effort._draw_tiles(
         tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1)
     )

@@ -32,7 +32,7 @@ def same(one, other):
 
 
 def part(rays, begin, end):
-    """Return the records of some pixels."""
+    """Return the records (dexels and traces) of some pixels."""
     own = slice(rays.index[begin], rays.index[end])
     index = rays.index[begin : end + 1] - rays.index[begin]
     return Records(TRAJECTORIES, index, rays.entry[begin:end], rays.far[own], rays.owner[own])

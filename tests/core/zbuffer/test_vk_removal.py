@@ -36,7 +36,7 @@ def alike(told):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (1, 0.5, -0.3)])
 @pytest.mark.parametrize("count", [1, GROUP, 5 * GROUP + 3])
 def test_ray_in_a_batch_is_cut_like_a_single_ray(count, direction, monkeypatch):
-    """A third of the rays miss the stock. The result does not depend on the number of pairs in one step."""
+    """A third of the rays miss the stock. The result does not depend on the number of tests of rays in one step."""
     removal, rng = random_removal(count, direction)
     x, y = rng.uniform(-30, 30, (2, count))
     together, passes = removal.cut(x, y)
@@ -86,15 +86,15 @@ def test_single_ray_of_a_group_is_cut(slots):
         (100, [(0, 67, [0, 0, 1, 1, 2, 4, 4])]),
     ],
 )
-def test_groups_of_rays_are_limited_by_their_pairs(slots, allowed, parts, monkeypatch):
-    """The groups of rays meet two, two, one and no trajectories. The last group, of three rays, meets two."""
+def test_groups_of_rays_are_joined_up_to_a_number_of_pairs(slots, allowed, parts, monkeypatch):
+    """The groups of rays are passed by two, two, one and no trajectories, and the last group, of three rays, by two."""
     y = np.repeat([-10.0, -10, 10, 0, -10], GROUP)[: 4 * GROUP + 3]
     monkeypatch.setattr(module, "_PAIRS_HELD", allowed * GROUP)
     found = [(first, last, group.tolist()) for first, last, group, _ in slots._meetings(np.zeros(len(y)), y)]
     assert found == parts
 
 
-def test_pairs_are_processed_in_batches_of_limited_size(slots, monkeypatch):
+def test_pairs_of_ray_and_trajectory_are_processed_in_batches(slots, monkeypatch):
     sizes, passing = [], slots.passing
     monkeypatch.setattr(slots, "passing", lambda x, y, item: sizes.append(x.size) or passing(x, y, item))
     monkeypatch.setattr(module, "_PAIRS_AT_ONCE", 2 * GROUP)

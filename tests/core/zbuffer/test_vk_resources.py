@@ -144,7 +144,7 @@ def test_estimated_counts_grow_with_the_number_of_pixels():
 @pytest.mark.parametrize("width", [0.3, 0.5, 0.8, 1.0, 2.0])
 @pytest.mark.parametrize("direction", [TOP, (0, 1, 0), TILTED, ISOMETRIC], ids=["top", "front", "tilted", "isometric"])
 def test_error_bar_includes_the_size_of_the_pixel(width, direction):
-    """In a narrow slot, the number of rows of pixels (one or two) follows from the image, and not from the area."""
+    """A narrow slot covers one or two rows of pixels, depending on the place of the pixels, not on the slot's area."""
     stock, view = Stock((0, 0, 0), (120, 90, 20)), View(direction, 320, 240)
     far, inside = 0.0, []
     for turn in np.radians([0, 7, 45, 90]):
@@ -311,7 +311,8 @@ def test_work_of_a_job_includes_all_operations(direction):
 def test_estimated_work_equals_the_work_of_the_simulator(names, direction, monkeypatch):
     """The estimate uses a few tiles.
 
-    Compared are the tested pairs, and the blocks: calls that bound or cut pairs of one kind.
+    The test compares the numbers of tested pairs (of a tile or pixel and a trajectory) and of blocks, which are calls
+    that bound or cut pairs of one kind.
     """
     worked = []
     divided = Trajectories.by_kind
@@ -355,7 +356,7 @@ def test_kinds_of_trajectories_need_own_blocks_in_common_bands():
     assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # limited to the number of bands
 
 
-def test_work_in_another_image_follows_from_one_estimate():
+def test_work_in_another_image_is_computed_from_one_estimate():
     toolpath, tool = PATHS["surface"]
     few, many = (
         estimate(toolpath, None, tool=tool, stock=STOCK, view=View(TILTED, w, w * 3 // 4)) for w in (400, 1200)
@@ -470,9 +471,9 @@ def test_operations_of_a_job_share_one_stock():
 
 
 def test_memory_of_several_operations_is_combined():
-    """Temporary arrays of 1 and 3 GB need 3 GB, because they are not held at once.
+    """Temporary arrays of 1 and 3 GB need 3 GB, because only one is held at a time.
 
-    Trajectories and records are added.
+    Trajectories, dexels and traces are added.
     """
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
@@ -486,7 +487,7 @@ def test_memory_of_several_operations_is_combined():
     assert needed(many, many) - needed(many) == pytest.approx(needed(many) - 1e9, rel=1e-3)
 
 
-def test_advice_is_given_if_no_resolution_helps():
+def test_explanation_has_advice_if_no_resolution_is_possible():
     toolpath, tool = PATHS["surface"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=Speed(trajectory=1.0))
     chosen = best_resolution([found], seconds=10)
@@ -501,7 +502,7 @@ def test_advice_is_given_if_no_resolution_helps():
     )
 
 
-def test_longest_of_several_operations_is_named():
+def test_slowest_of_several_operations_is_named():
     assert heaviest(["Face", "Bore"], [1.0, 3.0]).arguments == {"label": "Bore", "time": 3.0}
     assert heaviest(["Face"], [1.0]) is None and heaviest([], [1.0, 3.0]) is None
 

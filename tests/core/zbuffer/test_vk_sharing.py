@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An image cut by several processes has the same records, even if processes fail, and no process remains."""
+"""An image cut by several processes has the same dexels and traces, even if processes fail, and no process remains."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The part as triangles: closed, with the volume of the records, as an STL file, and as stock of the next job."""
+"""The part as a closed surface of triangles with the part's volume, as an STL file, and as stock of the next job."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ CASES = [
 
 
 @pytest.mark.parametrize("case", range(len(CASES)))
-def test_surface_is_closed_and_has_the_volume_of_the_records(case):
+def test_surface_is_closed_and_has_the_volume_of_the_part(case):
     path, tool, stock, direction = CASES[case]
     done = simulate(path, tool=tool, stock=stock, view=View(direction, 80, 60))
     for moment in (done, done.at(len(path) // 2), done.at(0)):

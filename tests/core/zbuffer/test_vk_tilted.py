@@ -128,12 +128,12 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
         ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),  # a difference within rounding is not deeper
         ([(FAR, FAR), ((2, 4), NOWHERE), ((2 - 1e-9, 4), NOWHERE)], [0]),
         ([(WHOLE, WHOLE), (WHOLE, WHOLE)], [0]),
-        # an opening that touched no open end is not used later
+        # an opened depth that touched no open end is not used later
         ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),
         ([], []),
     ],
 )
-def test_pairs_that_reach_beyond_open_ends_stay(pairs, stay):
+def test_trajectory_stays_if_it_cuts_beyond_the_opened_depths(pairs, stay):
     def told(*tiles):
         tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
         columns = np.array([(*passed, *opened) for own in tiles for passed, opened in own], float).reshape(-1, 4).T

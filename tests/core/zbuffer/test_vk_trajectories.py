@@ -122,7 +122,7 @@ def test_box_of_a_part_of_a_move_contains_only_this_part():
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_pairs_meet_if_box_and_strip_meet(direction):
+def test_rectangle_and_move_meet_if_box_and_strip_meet(direction):
     rng = np.random.default_rng(4)
     some = ready(*((FLAT, move) for move in MOVES), direction=direction)
     left, bottom = rng.uniform(-30, 30, (2, 40))
@@ -167,7 +167,7 @@ def test_intervals_of_rays_from_above_and_below_are_exact():
         assert told(other) == [-2.5, None, None, -2.5]
 
 
-def test_pairs_in_batches_have_the_same_intervals(monkeypatch):
+def test_intervals_of_rays_and_moves_are_the_same_in_batches(monkeypatch):
     some = ready(*((tool, move) for tool in (FLAT, BALL) for move in MOVES), direction=(1, 1, -1))
     rng = np.random.default_rng(5)
     x, y, item = rng.uniform(-20, 20, (3, 500)), rng.uniform(-15, 15, 500), rng.integers(0, 14, 500)

@@ -31,7 +31,7 @@ def text(verdict):
     return render(verdict.message(LABELS))
 
 
-def test_sound_unchecked_and_unmet_have_different_verdicts():
+def test_sound_unchecked_and_missed_stocks_have_own_verdicts():
     texts = [text(one) for one in (SOUND, PENDING, replace(SOUND, met=False))]
     assert texts == [
         "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps not checked.",

@@ -86,7 +86,7 @@ def test_a_rapid_through_the_stock_is_found(direction):
         assert found[0].depth == pytest.approx(3)
 
 
-def test_facts_in_blocks_equal_facts_of_the_whole(monkeypatch):
+def test_simulation_facts_in_blocks_equal_facts_of_the_whole(monkeypatch):
     path = toolpath(helix(None, 300))
     path = replace(path, rapid=np.arange(len(path)) % 7 == 0)
 

@@ -101,7 +101,7 @@ def test_crash_of_descending_rapid_is_at_deepest_place():
     assert one.place[:2] == pytest.approx((41, 15), abs=0.6) and one.place[2] == pytest.approx((8 + 4.1) / 2, abs=0.02)
 
 
-def test_facts_convert_to_plain_data():
+def test_simulation_facts_convert_to_plain_data():
     crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
     found = told(SOUND, crash).job
     data, cells = found.as_dict(), found.cells()

@@ -3,8 +3,8 @@
 
 A point belongs to the first trajectory whose tool reaches the point. The second implementation tries single points with
 every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so halving
-finds the lowest height. The points are probes on the rays: beside both ends of every piece, so that each border between
-two owners is in its place, and between the ends.
+finds the lowest height. The points are probes on the rays: beside both ends of every piece, so that each border
+between the pieces of two trajectories is in its place, and between the ends.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def wrong_probes(cuts, at, owner, uncut):
             near = (point >= lower).all(axis=2) & (point[..., :2] <= upper).all(axis=2)
             probe, item = np.nonzero(near & (own < owner[some, None]))
             probe, item = some[probe], own[item]
-            # No trajectory before the owner contains the probe.
+            # No trajectory before the owner (the trajectory that removed the piece) contains the probe.
             earlier = reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, -CLEARANCE)
             wrong[probe[earlier]] = True
         # The owner contains the probe.
@@ -161,7 +161,7 @@ EVERY_TOOL = TOOLS + CHAMFERS
 @pytest.mark.long
 @pytest.mark.parametrize("path", PATHS, ids=lambda path: path.__name__)
 @pytest.mark.parametrize("tool", EVERY_TOOL, ids=str)
-def test_owner_of_every_piece_is_the_owner_of_its_points(tool, path):
+def test_each_piece_belongs_to_the_trajectory_of_its_points(tool, path):
     """The last moment and a random earlier moment are compared."""
     which = PATHS.index(path), EVERY_TOOL.index(tool)
     rng = np.random.default_rng(which)
@@ -180,8 +180,8 @@ def test_owner_of_every_piece_is_the_owner_of_its_points(tool, path):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 0.5, -0.3)])
-def test_check_notices_wrong_borders_and_owners(direction):
-    """The borders are wrong by a thousandth of a mm, or the owner is the move before or after."""
+def test_check_finds_wrong_borders_and_wrong_trajectories(direction):
+    """The borders are wrong by a thousandth of a mm, or the piece belongs to the move before or after."""
     points = free(np.random.default_rng(2), 8)
     z = simulate(toolpath(points), tool=TOOLS[0], stock=BOX, view=View(direction, 30, 20))
     check(z, BOX)
@@ -205,7 +205,7 @@ BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
 @pytest.mark.long
 @pytest.mark.parametrize("tools", [EVERY_TOOL, BALLS, CHAMFERS], ids=["any", "balls", "chamfers"])
 @pytest.mark.parametrize("direction", DIRECTIONS, ids=str)
-def test_points_have_the_right_owners_with_several_tools(direction, tools):
+def test_points_belong_to_the_right_moves_of_several_tools(direction, tools):
     """The images are up to several tiles wide."""
     rng = np.random.default_rng([DIRECTIONS.index(direction), len(tools)])
     paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(2, 5))]
@@ -218,7 +218,7 @@ def test_points_have_the_right_owners_with_several_tools(direction, tools):
 
 
 @pytest.mark.long
-def test_many_passes_over_a_pixel_have_the_right_owners():
+def test_points_of_a_pixel_with_many_passes_have_the_right_move():
     """Thousands of passes cross each tile, and culling must drop most passes."""
     rng = np.random.default_rng(0)
     for points, tool, direction in (

@@ -119,7 +119,7 @@ def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), of
 
 
 def test_peak_memory_grows_with_records_pixels_and_moves():
-    """Full arrays of records grow by an eighth. Two standard errors are added to the traces."""
+    """Full arrays (of dexels, traces and gaps) grow by an eighth. Two standard errors are added to the traces."""
     flat = removal(TOOLS[0], (0, 0, -1))
     nothing = Counts(*[0] * 9, 4800)
 
@@ -224,7 +224,7 @@ def test_huge_image_is_refused_by_default():
         simulate(path, **solids)
 
 
-def test_each_record_has_eight_bytes():
+def test_each_dexel_or_piece_of_a_trace_has_eight_bytes():
     path, solids = case(2000, (0, 0, -1), 200, 150)
     z = simulate(path, **solids)
     pieces = z.traces + z.dexels
