@@ -71,7 +71,7 @@ def test_table_names_every_operation_and_the_total(report):
         line for line in str(report).splitlines() if not line.startswith(("Rows in brackets", "Job: Less", "Job: More"))
     ]
     assert len(lines) == len(report.operations) + 4
-    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # the words of the panel
+    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # the panel has the same titles
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
@@ -169,7 +169,7 @@ def test_documents_jobs_and_operations_can_be_analyzed(small, zigzag_commands):
         vkworkbench.analyze(7)
     with pytest.raises(TypeError, match="not str"):
         vkworkbench.analyze([second, "Job"])
-    (missing,) = vkworkbench.analyze("Job").operations  # the name is a file name
+    (missing,) = vkworkbench.analyze("Job").operations  # the text is read as a file name
     assert missing.error == "The file cannot be read: No such file or directory."
 
 
@@ -203,7 +203,7 @@ def test_base_of_dress_up_and_array_is_not_counted(small, zigzag_commands):
     array.addProperty("App::PropertyInteger", "Copies", "Path")
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
     assert counted == {"Base": False, "Dress-up": True, "Array": True}
-    small.job.Operations.Group = [dressup, array]  # as FreeCAD's window does
+    small.job.Operations.Group = [dressup, array]  # FreeCAD's window removes the base, too
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name
@@ -472,11 +472,11 @@ def rows_of_a_failure(report):
     rows = report.operations
     assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
     line = next(line for line in str(report).splitlines() if line.startswith("First"))
-    assert line.split()[4:6] == ["?", "?"], line  # length and time are unknown
+    assert line.split()[4:6] == ["?", "?"], line  # the length and the time of First are unknown
     return rows
 
 
-def test_bug_in_the_analysis_affects_one_row_only(small, zigzag_commands, monkeypatch):
+def test_bug_in_the_analysis_affects_one_operation_only(small, zigzag_commands, monkeypatch):
     small.add("First", zigzag_commands)
     small.add("Second", zigzag_commands[:-4])
     recognized = analysis.recognize_operation
@@ -646,7 +646,7 @@ def test_analysis_computes_the_costs_that_the_panel_shows(small, zigzag_commands
     assert total.cost(chosen.simulator)[0] > 0 and estimated == [1]
 
 
-def test_unreadable_operation_affects_one_row_only(small, zigzag_commands, monkeypatch):
+def test_unreadable_operation_affects_no_other_operation(small, zigzag_commands, monkeypatch):
     first, _ = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
 
     def read(obj):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The warning before a slow simulation starts, computed from the marks, and the faster simulator that it offers."""
+"""The warning before a slow simulation, computed from the marks in the tree, and the faster simulator in the warning."""
 
 from dataclasses import replace
 
@@ -25,7 +25,7 @@ def both(monkeypatch):
 
 
 def record(label="Pocket", *, forward=5.0, play=60.0, opengl=60.0, **rest):
-    """Return the record of a mark with the given simulation times, s."""
+    """Return the record of a mark in the tree with the given simulation times, s."""
     legacy = legacy_cost(TASK)
     drawn = opengl_cost(TASK)
     longer = opengl / drawn.seconds
@@ -46,7 +46,7 @@ def said(found):
     return f"{render(found.wrong)} {render(found.better)}"
 
 
-def test_no_advice_within_the_budget():
+def test_no_faster_simulator_is_offered_within_the_budget():
     for simulator in freecad.own_simulators():
         assert better_way(simulator, [record(), record()], BUDGET) is None
         assert better_way(simulator, [], BUDGET) is None
@@ -83,7 +83,7 @@ def test_zbuffer_is_offered_if_both_simulators_fail():
     assert better_way("legacy", [record(play=1e4, forward=1e4, opengl=1e4)], BUDGET).way == OURS
 
 
-def test_advice_without_opengl_simulator_is_available(monkeypatch):
+def test_faster_way_without_opengl_simulator_is_available(monkeypatch):
     monkeypatch.setattr(freecad, "own_simulators", lambda: ("legacy",))
     assert better_way("legacy", [hanging("Thread001")], BUDGET).way == OURS
     assert better_way("legacy", [record(play=1e4)], BUDGET).way == "legacy"

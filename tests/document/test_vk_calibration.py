@@ -36,7 +36,7 @@ def folder(measured, monkeypatch):
     return measured
 
 
-def test_speed_is_the_default_until_measured(folder):
+def test_speed_is_the_default_until_the_computer_is_measured(folder):
     assert calibration.load() is None and calibration.constants(Speed()) == DEFAULTS
     done = calibration.calibrate()
     assert calibration.load() == done and len(done.date) == 10
@@ -146,7 +146,7 @@ def test_calibration_keeps_other_records_of_the_file(folder):
     assert other == 1 and set(own) == {field.name for field in fields(Speed)} - {"processes"} | {"date"}
 
 
-def test_speed_is_measured_once(folder, monkeypatch):
+def test_speed_of_the_computer_is_measured_once(folder, monkeypatch):
     speed = calibration.measured_speed()
     assert calibration.measured_speed() == speed and speed.factor < Speed().factor
     calibration.calibrate()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict of a simulation in a job's mark, and the changes and remarks that make the verdict outdated or unsure."""
+"""The verdict of a simulation in the job's mark in the tree: what makes the verdict outdated or unsure."""
 
 import FreeCAD
 import Part
@@ -34,7 +34,7 @@ def verdict(small):
     return marks.read(small.job).verdict
 
 
-def test_verdict_is_in_the_mark_of_the_job(small, slot):
+def test_verdict_on_a_job_is_in_the_mark_of_the_job(small, slot):
     undo = small.document.UndoCount
     facts = simulated_and_marked(small)
     assert small.document.UndoCount == undo + 1
@@ -44,7 +44,7 @@ def test_verdict_is_in_the_mark_of_the_job(small, slot):
     assert marks.read(small.job) is None and marks.read(slot) is None
 
 
-def test_verdict_stays_when_the_job_is_analyzed_again(small, slot):
+def test_verdict_on_a_job_stays_when_it_is_analyzed_again(small, slot):
     simulated_and_marked(small)
     report = vkworkbench.analyze(small.job)
     assert [str(one) for one in report.verdicts.values()] == [str(verdict(small))]
@@ -73,7 +73,7 @@ def move_clamp(small, slot):
 
 
 @pytest.mark.parametrize("change", [change_path, change_tool, change_stock, change_clamps, move_clamp])
-def test_verdict_is_outdated_after_a_change(small, slot, change):
+def test_verdict_on_a_job_is_outdated_after_a_change(small, slot, change):
     for name, y in (("Vice", -90), ("Old", -150)):
         clamp = small.document.addObject("Part::Feature", name)
         clamp.Shape = Part.makeBox(20, 20, 20, FreeCAD.Vector(0, y, 0))
@@ -91,7 +91,7 @@ def test_verdict_is_outdated_after_a_change(small, slot, change):
     assert verdict(small).is_sound
 
 
-def test_undoing_a_change_restores_the_verdict(small, slot):
+def test_undoing_a_change_restores_the_verdict_on_the_job(small, slot):
     simulated_and_marked(small)
     small.document.openTransaction("change")
     slot.Path = Path.Path(slot.Path.Commands[:-1])
@@ -111,7 +111,7 @@ def test_simulation_with_other_clamps_gives_the_job_no_verdict(small, slot):
     assert verdict(small) is None
 
 
-def test_verdict_of_the_window_is_shown_until_a_change(small, slot):
+def test_verdict_of_the_simulation_tab_is_shown_until_a_change(small, slot):
     """The simulation window does not write into the document; the next analysis writes the verdict into the mark."""
     vkworkbench.mark(vkworkbench.analyze(small.job))
     job, undo = read_job(small.job), small.document.UndoCount

@@ -509,7 +509,7 @@ def test_second_marking_restores_a_removed_text(small, zigzag_commands):
     assert (op.Label2, small.job.Label2) == texts
 
 
-def test_refresh_returns_whether_the_mark_changed(small, zigzag_commands):
+def test_refresh_returns_whether_the_mark_has_changed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     assert not refresh(op, lambda _: ())  # the operation has no mark
     vkworkbench.mark(vkworkbench.analyze(small.document))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""No mark is wrong: if an operation has changed since its analysis, its mark is removed or shown as outdated."""
+"""No mark in the tree is wrong: if an operation has changed since its analysis, its mark is removed or outdated."""
 
 import FreeCAD
 import Part

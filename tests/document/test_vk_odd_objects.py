@@ -77,7 +77,7 @@ def sound(small, zigzag_commands):
 
 @pytest.mark.parametrize("type_id", VALUES)
 @pytest.mark.parametrize("name", ["Diameter", "ShapeName", "ShapeType", "CornerRadius", "TipAngle", "CuttingEdgeAngle"])
-def test_odd_tool_property_affects_one_row_only(sound, zigzag_commands, name, type_id):
+def test_odd_tool_property_affects_one_operation_only(sound, zigzag_commands, name, type_id):
     tool, controller = bare(sound, "Tool", "App::FeaturePython"), bare(sound, "Controller")
     Odd(tool, name, type_id, VALUES[type_id])
     if name != "Diameter":
@@ -136,7 +136,7 @@ def test_odd_job_property_is_tolerated(sound, zigzag_commands, name, type_id):
     assert odd_row(sound, odd).strategy == "zigzag"
 
 
-def test_error_while_reading_affects_one_row_only(sound, zigzag_commands, monkeypatch):
+def test_error_while_reading_affects_one_operation_only(sound, zigzag_commands, monkeypatch):
     """An unexpected error is a remark in the row of the operation."""
     from vkworkbench.document.job import reading
 

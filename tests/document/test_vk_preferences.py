@@ -127,7 +127,7 @@ def test_opengl_quality_changes_the_draws(arc):
     assert analyzed(arc).opengl.draws < best.draws
 
 
-def test_small_budgets_give_cautions(arc):
+def test_small_budgets_of_time_and_memory_give_cautions(arc):
     assert not [c for c in analyzed(arc).cautions if c.code in ("memory", "long-play")]
     pixels = analyzed(arc).resolution.view.width
     preferences.write(memory_budget=1.0, time_budget=0.1)
@@ -185,7 +185,7 @@ def test_changed_preference_updates_marks_without_an_analysis(arc, small, monkey
     assert (small.document.UndoCount, list(arc.State)) == (count, touched)
 
 
-def test_watch_updates_marks_after_a_relevant_preference(monkeypatch):
+def test_marks_are_updated_after_a_relevant_preference_changes(monkeypatch):
     observers, told, followed = [], [], []
     monkeypatch.setattr(upkeep, "_upkeep", None)
     monkeypatch.setattr(upkeep.FreeCAD, "addDocumentObserver", observers.append)

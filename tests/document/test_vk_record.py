@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The record of a mark: JSON keeps it unchanged, the total combines records, and damaged data is not a mark."""
+"""The data of a mark in the tree (a record): JSON keeps a record, a total combines records, damaged data is no mark."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def test_record_of_one_operation_is_complete():
     assert (alone.trajectories, alone.length, alone.confidence, alone.machining_seconds) == (0, 0, 0, None)
 
 
-def test_mark_contains_its_format():
+def test_mark_contains_the_number_of_its_format():
     """The format number lets a later version recognise old marks."""
     assert json.loads(as_json(WHOLE))["format"] == 2
 

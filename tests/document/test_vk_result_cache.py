@@ -46,7 +46,7 @@ def test_second_analysis_reuses_the_recognition(small, zigzag_commands, recogniz
     assert vkworkbench.analyze(small.job, cancelled=lambda: False) == first and len(recognized) == 6
 
 
-def test_cached_row_has_the_current_labels(small, zigzag_commands, recognized):
+def test_cached_result_has_the_current_labels(small, zigzag_commands, recognized):
     op = small.add("Before", zigzag_commands)
     (first,) = vkworkbench.analyze(small.document).operations
     op.Label, op.Label2 = "After", "my words"

@@ -14,7 +14,7 @@ def row(document, name, fingerprint="f"):
     return SimpleNamespace(document=document, name=name, fingerprint=fingerprint)
 
 
-def test_last_row_is_returned_for_its_fingerprint(small):
+def test_last_result_is_returned_for_its_fingerprint(small):
     op = small.add("Op", [])
     assert results.latest_row(op, "f") is None
     before, after = row(small.name, op.Name), row(small.name, op.Name, "g")
@@ -36,10 +36,10 @@ def test_new_document_of_the_same_name_has_no_old_results(small):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_new_rows_are_preferred_to_remembered_rows(small):
+def test_new_results_are_preferred_to_remembered_results(small):
     old = [row(small.name, "A"), row(small.name, "B")]
     results.remember(old)
     new = row(small.name, "B", "g")
     known = results.latest_rows([new])
     assert (known[small.name, "A"], known[small.name, "B"]) == (old[0], new)
-    assert results.latest_rows([])[small.name, "B"] is old[1]  # the row of B in the cache is not replaced
+    assert results.latest_rows([])[small.name, "B"] is old[1]  # the result of B in the cache is not replaced

@@ -80,7 +80,7 @@ def test_fault_is_shown_with_a_mark_but_not_stored_in_it(small):
     assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
 
 
-def test_keep_faults_returns_whether_faults_are_new(small):
+def test_keep_faults_returns_whether_the_faults_are_new(small):
     small.add("First", slot(10.0))
     small.add("Second", slot(20.0))
     first, second = read_job(small.job).operations

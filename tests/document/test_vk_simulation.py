@@ -214,7 +214,7 @@ def test_image_of_the_part_shows_the_chosen_step(small, tmp_path):
     assert not (tmp_path / "part.jpg").exists()
 
 
-def test_facts_contain_a_fault_of_each_kind(small, tmp_path):
+def test_simulation_facts_contain_a_fault_of_each_kind(small, tmp_path):
     """The slot has a rapid that cuts, a gouge and a plunge that is too fast; elsewhere 1 mm of stock is left."""
     small.controller.VertFeed, small.controller.HorizFeed = "2 mm/s", "10 mm/s"
     small.document.recompute()
@@ -607,7 +607,7 @@ def test_feeds_in_a_listing_are_in_mm_per_min(small):
     assert [cut.toolpath.feed[-1] for cut in job.cuts] == pytest.approx([20.0, 20.0])
 
 
-def test_facts_are_the_same_from_every_view(small):
+def test_simulation_facts_are_the_same_from_every_view(small):
     """The job is a rapid plunge, 3 mm deep, with a tool thinner than the pixels of the view."""
     small.controller.Tool.Diameter = 0.5
     small.add("Thin", [("G0", {"X": 10.3, "Y": 10.3, "Z": 30.0}), ("G0", {"Z": 17.0}), ("G0", {"Z": 30.0})])

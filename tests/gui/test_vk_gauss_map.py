@@ -103,7 +103,7 @@ def test_gauss_map_follows_the_selection(view, opened, window):
     shown = view.picture()
     select(labelled(opened, "Bore"))
     window.wait(lambda: view.title.text().startswith("Bore"))
-    assert np.abs(view.signature.level).max() >= 3  # winding
+    assert np.abs(view.signature.level).max() >= 3  # the bore winds several times
     assert not same(view.picture(), shown)
     window.screenshot("gauss-map-helix")
 
@@ -199,7 +199,7 @@ def test_picture_of_the_gauss_map_is_saved(view, window, tmp_path, suffix):
     before = view.picture()
     assert window.answer_file_dialog(path, lambda: window.click_on(view.dock.saver))
     assert path.exists()
-    assert suffix == "png" or "Face: zigzag" in path.read_text(encoding="utf-8")  # the title
+    assert suffix == "png" or "Face: zigzag" in path.read_text(encoding="utf-8")  # this is the title
     if suffix == "png":
         assert path.read_bytes().startswith(b"\x89PNG")
         image = QtGui.QImage(str(path))
@@ -249,7 +249,7 @@ def test_small_window_is_not_enlarged_by_the_gauss_map(view, opened, window):
         window.settle()
 
 
-def test_name_of_the_threshold_does_not_cover_curves(view, opened, window):
+def test_name_of_the_threshold_of_phi_does_not_cover_curves(view, opened, window):
     select(labelled(opened, "Bore"))
     window.wait(lambda: view.title.text().startswith("Bore"))
     picture, figure, ratio = view.picture(), view.canvas.figure, view.canvas.devicePixelRatioF()
@@ -268,7 +268,7 @@ def test_narrow_floating_panel_has_two_rows_of_plots(view, window):
     view.picture()
     window.screenshot("gauss-map-narrow")
     figure = view.canvas.figure
-    assert figure.path.place.bottom() < figure.graph.place.top()  # two plots in the upper row, one in the lower row
+    assert figure.path.place.bottom() < figure.graph.place.top()  # the graph is below the other two plots
     window.main.removeDockWidget(view.dock)
     window.main.addDockWidget(QtCore.Qt.BottomDockWidgetArea, view.dock)
     results = window.first(QtGui.QDockWidget, "VkResults")
@@ -363,7 +363,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
     assert low < min(figure.phi.min(), figure.limits[0]) and high > max(figure.phi.max(), figure.limits[1])
 
 
-def test_deciding_bound_is_named(view, opened, window):
+def test_deciding_bound_of_phi_is_named(view, opened, window):
     named = {}
     for label in ("Face", "Pocket around island", "Bore", "Drill holes"):
         select(labelled(opened, label))
@@ -375,7 +375,7 @@ def test_deciding_bound_is_named(view, opened, window):
     assert named["Face"] == "n = 0: zigzag"
 
 
-def test_curve_of_a_zigzag_stays_away_from_the_bound(view, opened, window):
+def test_phi_of_a_zigzag_stays_away_from_the_drawn_bound(view, opened, window):
     select(labelled(opened, "Pocket zigzag"))
     window.wait(lambda: view.title.text().startswith("Pocket zigzag") and not view.dock._background.works)
     figure = view.canvas.figure

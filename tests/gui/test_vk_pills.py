@@ -260,9 +260,9 @@ def test_pill_has_the_colour_of_its_strategy(marked, window, theme):
         mark = marks.read(obj)
         image = picture(window, obj.Label)
         color = mark.strategy.color if mark.strategy else colors.TOTAL
-        assert (share(image, color) > 0.05) != mark.outdated, obj.Label  # of the cell
+        assert (share(image, color) > 0.05) != mark.outdated, obj.Label  # share of the cell
         if not mark.outdated:
-            assert bright(image) > 0.005, obj.Label  # the text
+            assert bright(image) > 0.005, obj.Label  # the text of the pill
     assert marks.is_outdated(drill)
 
 

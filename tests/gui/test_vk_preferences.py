@@ -82,7 +82,7 @@ def test_page_shows_defaults_and_keeps_changes(opened, with_page, window):
     assert preferences.read() == expected
 
 
-@pytest.mark.parametrize("schema", [0, 3, 5, 7])  # mm, inches, and two more imperial schemas
+@pytest.mark.parametrize("schema", [0, 3, 5, 7])  # schemas: mm, inches, and two other imperial ones
 def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
     before = Preferences(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     preferences.write(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")

@@ -78,7 +78,7 @@ def test_dragging_on_the_time_line_changes_the_shown_time(whole, window):
     assert view.grab().toImage() == part
 
 
-def test_exports_save_pictures_and_rates(whole, window, tmp_path):
+def test_exports_save_pictures_and_removal_rates(whole, window, tmp_path):
     (save,) = [button for button in whole.findChildren(QtGui.QToolButton) if button.text() == "Save"]
     QtCore.QTimer.singleShot(300, lambda: (window.screenshot("simulation-save"), save.menu().close()))
     window.click_on(save)
@@ -92,7 +92,7 @@ def test_exports_save_pictures_and_rates(whole, window, tmp_path):
     lines = (tmp_path / "rates.csv").read_text().splitlines()
     assert len(lines) == 1 + whole.simulation.trajectories and lines[1].startswith("Face,1,")
     first = whole.job.cuts[0].toolpath.command[0]
-    assert lines[1].split(",")[2] == str(first + 1)  # the line below the part counts from 1, too
+    assert lines[1].split(",")[2] == str(first + 1)  # the text below the part also counts commands from 1
 
 
 def test_chips_are_drawn_on_the_simulated_part(whole, window):
@@ -188,7 +188,7 @@ def test_click_in_the_time_line_highlights_the_cut(whole_from_above, window):
     player.moment.go_to(middle)
     for _ in range(12):  # until the move is wide enough for a click
         window.wheel(line, QtCore.QPoint(round(line.x_of(middle)), line.height() - 8))
-    player.play_bar.speeds.setCurrentIndex(0)  # real time
+    player.play_bar.speeds.setCurrentIndex(0)  # the speed is real time
     player.moment.play()
     window.idle(0.2)
     assert player.moment.plays and player.moment.noticed is None
@@ -285,7 +285,7 @@ def test_step_buttons_go_to_commands_and_operations(simulated, window):
 
 
 def test_play_shows_the_machines_time(simulated, window):
-    simulated.play_bar.speeds.setCurrentIndex(2)  # a hundred times
+    simulated.play_bar.speeds.setCurrentIndex(2)  # the speed is 100 times real time
     window.click_on(simulated.play_bar.play_button)
     window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total)
     window.click_on(simulated.play_bar.play_button)
@@ -316,7 +316,10 @@ def test_colourings_and_chips_change_the_picture(simulated, window):
 
 def test_time_line_explains_its_colours(simulated, window):
     line = simulated.time_line
-    for y, expected in ((6, True), (line.height() - 14, False)):  # over the curve, and over the operations
+    for y, expected in (
+        (6, True),
+        (line.height() - 14, False),
+    ):  # the pointer is over the curve, then over the operations
         QtGui.QToolTip.hideText()
         window.mouse_move(line, QtCore.QPoint(line.width() // 2, y), QtCore.Qt.NoButton)
         window.wait(QtGui.QToolTip.isVisible)

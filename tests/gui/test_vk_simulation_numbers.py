@@ -115,7 +115,7 @@ def test_missing_stock_is_not_a_gouge():
     assert judge(finished, 9.0, compares=False).faults == []
 
 
-def test_marks_show_the_latest_faults():
+def test_marks_in_the_tree_show_the_latest_faults():
     job = job_of(SLOT)
     known = KnownFaults(job, Clock(job))
     crash = Fault(0, 7, 0, (0.0, 0.0, 0.0), Message("rapid-cuts", volume=50.69), True)
@@ -142,7 +142,7 @@ def test_equal_differences_have_different_places():
     ]
 
 
-def test_saved_rates_are_volumes_per_minute(tmp_path):
+def test_saved_removal_rates_are_volumes_per_minute(tmp_path):
     job = job_of(SLOT, CRASH)
     clock = Clock(job)
     volumes = np.arange(1.0, len(clock.cuts) + 1)

@@ -337,7 +337,7 @@ def test_odd_job_is_shown_without_an_error(bare, window, odd):
     drag(window, player.view, middle, middle + QtCore.QPoint(50, 20))
     drag(window, player.time_line, QtCore.QPoint(10, 45), QtCore.QPoint(200, 45))
     window.click_at(player.time_line, QtCore.QPoint(100, 45))
-    window.wait(lambda: player.pictures.is_current)  # of the turned view
+    window.wait(lambda: player.pictures.is_current)  # the picture shows the turned view
     player.look("Bottom")
     finest(player, window)
     window.screenshot(f"simulation-odd-{odd.__name__}")

@@ -69,7 +69,7 @@ def test_command_of_several_moves_shows_its_whole_volume(tab, window):
     assert volume > 1.5 * player.volumes[first]
 
 
-def test_rates_are_not_saved_before_they_are_known(desk, window):
+def test_removal_rates_are_not_saved_before_they_are_known(desk, window):
     desk.kept(desk.small)
     tab = desk.simulate()
     rates = tab.player.scene_bar.rates

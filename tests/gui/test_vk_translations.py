@@ -225,9 +225,9 @@ def test_numbers_have_the_format_of_the_users_locale(german):
     assert FreeCAD.Units.Quantity(1234.5, FreeCAD.Units.Length).UserString == reader.length(1234.5).replace(".", "")
     apart, rows = Message("passes-need", step=2.54, cell=0.635), Message("apart-at-depths", step=2.4, depths=3)
     try:
-        FreeCAD.Units.setSchema(3)  # inches
+        FreeCAD.Units.setSchema(3)  # FreeCAD shows inches
         assert sentence(apart) == " Bahnen im Abstand von 0,1 in brauchen 0,025 in."
-        assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"  # not "in in"
+        assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"  # the sentence does not say "in in"
         assert reader.length(25.4) == "1,00 in"
         for schema in range(9):  # each schema has another unit
             FreeCAD.Units.setSchema(schema)

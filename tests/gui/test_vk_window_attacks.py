@@ -195,9 +195,9 @@ def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, 
     window.wait(lambda: drawn(document))
     if Gui.activeDocument().ActiveView is not None:
         Gui.activeDocument().ActiveView.saveImage(str(tmp_path / "view.png"), 100, 100)
-    window.click(SWITCH)  # off
+    window.click(SWITCH)  # switches the colours off
     window.wait(lambda: not strategy_view.is_shown(document))
-    window.click(SWITCH)  # and on
+    window.click(SWITCH)  # switches the colours on again
     window.wait(lambda: drawn(document))
     FreeCAD.closeDocument(document.Name)
     window.settle()
