@@ -22,8 +22,8 @@ from vkworkbench.core.zbuffer.memory.silhouette import clip, polygon_area
 
 # Heights that differ by less than this, mm, count as one height of level moves.
 _LEVEL = 1e-3
-# A direction with more than this share of the length at one height has rows. Directions with less length have only
-# links.
+# The moves in one direction at one height are rows if they have more than this share of the length at that height.
+# Otherwise the moves are links.
 _FAMILY = 0.15
 # Minimum distance between two rows, mm. Moves at a smaller distance belong to the same row.
 _APART = 0.05
@@ -106,7 +106,7 @@ def closed_form(toolpath: Toolpath, recognition: Recognition, *, tool: Tool, sto
         return 0.0
     stepover = recognition.stepover
     if stepover is None and recognition.strategy in _ROWS | _LOOPS:
-        # For one layer of passes, the stepover is the area divided by the length of the passes.
+        # For passes at one depth, the stepover is the area divided by the length of the passes.
         room, _ = _grown_hull(np.concatenate((t.start, t.end))[:, :2], tool.radius, stock)
         stepover = room / max(float((t.run * t.share).sum()), 1e-9)
     stepover = min(stepover or tool.diameter, tool.diameter)

@@ -38,7 +38,7 @@ BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights of borders in programs (rar
 
 
 def examples(path, sections) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return the measures of a program's retracts, and 0 for each retract inside a section, 1 for each between two.
+    """Return the measures of a program's retracts; and 0 for a retract inside a section, 1 for a retract between two.
 
     Return None if the program has no retract.
     """

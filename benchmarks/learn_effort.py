@@ -28,8 +28,8 @@ from vkworkbench.core import Tool, View, estimate, simulate
 from vkworkbench.core.gcode import linearize
 
 RUNS = 2
-# Widths of images. In large images, most of the time is spent on the pixels themselves, because each pixel has few
-# pairs.
+# Widths of images. In large images, most of the time is spent on the pixels themselves, because few pairs of a tile
+# and a trajectory belong to each pixel.
 SIZES = (240, 400, 640, 1600, 3200)
 DIRECTIONS = ((0, 0, -1), (0, 0, -1), (1, 1, -1), (0, 0.5, -1), (1, -2, -0.3))
 # Simulations with a longer estimated time, s, are left out because they take too long. Simulations with a shorter
@@ -41,8 +41,8 @@ FOLDS = 10
 USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[0.05, 0.4] * 8, 0.1])
 RIDGE = 0.3
 STEPS = 20_000
-# Columns of the amounts: trajectories, pixels, meetings and blocks; then records, tests and cells by kind; then sorted
-# cells.
+# Columns of the amounts: trajectories, pixels, meetings and blocks; then the stored dexels and trace elements; then
+# tests and cells by kind; then sorted cells.
 PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), slice(38, 39)
 
 

@@ -165,7 +165,7 @@ def learn(e: Examples, chosen: np.ndarray, calibration=(0.0, 1.0)) -> Model:
 
 
 def verdicts(model: Model, e: Examples, some: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the verdicts on some rows, (k,), and their shares of the votes, (k,)."""
+    """Return the recognised strategies for some table rows, (k,), and their shares of the votes, (k,)."""
     x = e.x[some].astype(np.float32)
     voted = zip(model.nonsense.shares(x)[:, 1], model.strategies.shares(x), e.rules[some])
     said, share = zip(*(elect(nonsense, votes, rules) for nonsense, votes, rules in voted))

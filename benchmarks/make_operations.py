@@ -3,8 +3,8 @@
 
     VKWORKBENCH_OPERATIONS=OUT.jsonl.gz freecadcmd $PWD/benchmarks/make_operations.py
 
-The script writes one JSON record per line, in the form of records.py. The labelled strategy follows from the
-operation's class and pattern, never from its path. Tools, steps, angles, sides and starts are random with a fixed seed.
+The script writes one JSON record per line, in the form of records.py. The labelled strategy is determined by the
+operation's class and pattern, never by its path. Tools, steps, angles, sides and starts are random with a fixed seed.
 Operations that fail in FreeCAD or remain empty are counted by name. 3D Surface and Waterline need OpenCAMLib.
 """
 

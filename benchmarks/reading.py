@@ -51,7 +51,7 @@ def scan(count=COUNT, columns=250):
 
 
 def zigzag(count):
-    """Return the words of a zigzag at ten depths. The stepover follows from the number of commands."""
+    """Return the words of a zigzag at ten depths. The stepover is computed from the number of commands."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 10.0, "Y": 10.0})]
     rows = max(2, count // DEPTHS // 2)
     for depth in range(DEPTHS):

@@ -49,7 +49,7 @@ MANY = 1.5e6  # number of candidate pixels above which the image is smaller
 ALLOWED = 2e9  # memory limit, bytes; `simulate` refuses simulations that need more
 MOST = 25  # maximum number of operations from each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}
-FEWEST = 1000  # minimum number of trace elements, because ratios of smaller numbers are meaningless
+FEWEST = 1000  # operations with fewer trace elements are left out, because ratios of small numbers are meaningless
 SPEEDS = 5  # number of averaged measurements of the computer's speed
 
 

@@ -88,7 +88,7 @@ def long(folder: Path):
 
 
 def made(folder: Path, across: int = 5, along: int = 4, layer: float = 0.1):
-    """Make the example's job with 100,000 moves in pockets of thin layers, alternately zigzag and contour-parallel."""
+    """Make the example's job with 100,000 moves in pockets of many depths, by turns zigzag and contour-parallel."""
     document = example(folder)
     job = next(obj for obj in document.Objects if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj))
     controller = job.Tools.Group[1]

@@ -13,7 +13,8 @@ from vkworkbench.core import Recognition, Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 
-NAMED, IN_PLACE = 0.5, 0.9  # minimum share of a section's length with a right name: in a program, and in a pair
+# Minimum share of a section's length with a right strategy: in a program, and in a pair of operations.
+NAMED, IN_PLACE = 0.5, 0.9
 NEAR = 0.02  # maximum distance of a found border from the true border, as a share of the section's length
 PAIRS, SEEDS = 200, 20
 
@@ -22,8 +23,8 @@ PAIRS, SEEDS = 200, 20
 class Borders:
     """Numbers of true, found, reported and rightly reported borders between sections with different strategies.
 
-    Reported borders inside a section with the label mixed are counted separately, because such a section has no labels
-    for its inner borders.
+    Reported borders inside a section whose label is "mixed" are counted separately, because the labels do not say
+    where the borders inside this section are.
     """
 
     true: int = 0

@@ -3,12 +3,12 @@
 
     python3 benchmarks/zbuffer.py [quick]
 
-The script needs numpy only. For toolpaths of zbuffer_cases.py, from above and obliquely, it prints the number of
-records, the number of tested pairs (a tile or pixel, and a trajectory), and the processor time, the best of three runs.
-If it is fast enough, the script also tests every trajectory on every ray that it passes, and prints the ratio of this
-time to the processor time. Then the script prints how the time grows with the number of trajectories, the time to show
-any moment of a simulation, and, without `quick`, the cost of a million trajectories. The times depend on the computer,
-and only ratios are comparable. benchmarks/zbuffer_freecad.py compares with FreeCAD.
+The script needs numpy only. For toolpaths of zbuffer_cases.py, from above and obliquely, it prints the number of dexels
+and trace elements, of tested pairs (a tile or pixel, and a trajectory), and the best processor time of three runs. If
+it is fast enough, the script also tests every trajectory on every ray that it passes, and prints the ratio of this time
+to the processor time. Then the script prints how the time grows with the number of trajectories, the time to show any
+moment of a simulation, and, without `quick`, the cost of a million trajectories. The times depend on the computer, and
+only ratios are comparable. benchmarks/zbuffer_freecad.py compares with FreeCAD.
 """
 
 from __future__ import annotations

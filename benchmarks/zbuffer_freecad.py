@@ -50,7 +50,7 @@ def main() -> None:
         view, oblique = View(), View((1, 1, -1))
         cell = view.frame(stock).pixel
         seconds = np.full((3, RUNS), np.nan)
-        for run in range(RUNS):  # in turns, so that a slow moment affects both
+        for run in range(RUNS):  # the simulators take turns, so that a slow moment of the computer affects both
             seconds[0, run] = freecads(cuts, stock, cell)
             for row, seen in ((1, view), (2, oblique)):
                 begin = time.process_time()
