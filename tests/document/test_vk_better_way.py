@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The warning before a slow simulation, computed from the marks in the tree, and the faster simulator in the warning."""
+"""The warning before a slow simulation, computed from the marks in the tree, and the faster simulator that it names."""
 
 from dataclasses import replace
 

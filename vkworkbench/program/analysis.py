@@ -88,7 +88,7 @@ def analyze(
 
 
 def report_of(rows: Iterable[OperationReport], chosen: Preferences) -> Report:
-    """Return a report with the rows of one or more programs."""
+    """Return a report on one or more NC programs, whose operations are the rows."""
     rows = tuple(rows)
     return Report(rows, {(row.document, row.job): row.job for row in rows if row.counted}, chosen.budget)
 

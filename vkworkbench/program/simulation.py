@@ -211,7 +211,7 @@ class ProgramSimulation(SimulatedPart):
     memory_budget : float
         Memory limit, bytes.
     zbuffer : ZBuffer
-        Depth and owner of every pixel, dexels and traces.
+        Depth of every pixel and the trajectory that cut it, dexels and traces.
     """
 
     program: ReadProgram
@@ -226,7 +226,7 @@ class ProgramSimulation(SimulatedPart):
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Return the facts of each operation and of the program: removed volumes, air cuts, crashes and collisions.
 
-        The facts do not depend on the view and on `step`. Commands are lines of the program, counted from 1.
+        The results do not depend on the view and on `step`. Commands are lines of the program, counted from 1.
         """
         program, zbuffer = self.program, self._along_axis
         seconds = preferences.read().time_budget

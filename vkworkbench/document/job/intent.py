@@ -7,17 +7,17 @@ from vkworkbench import freecad
 from vkworkbench.core import Family, Recognition, Strategy
 from vkworkbench.document.job.operations import kind
 
-_ALONG = {Family.AROUND, Family.STROKES}  # a contour may be open, and it may be cut in many strokes
+_ALONG = {Family.AROUND, Family.STROKES}  # families of a contour, which can be open or cut in many strokes
 # An engraving follows any drawing. A slot is cut back and forth, one way, or repeatedly.
 _ANY_LINES = {Family.ROWS, *_ALONG}
-# Families that fit FreeCAD's operations without patterns. Strategies within one family do not contradict each other:
-# adaptive clearing of a round hole winds like a helix, and a pocket with a single ring is a profile.
+# Families of strategies that fit FreeCAD's operations without patterns. Strategies of one family do not contradict each
+# other: adaptive clearing of a round hole winds like a helix, and a pocket with a single ring is a profile.
 _KINDS = {
     "Adaptive": _ALONG, "Deburr": _ALONG, "Drilling": {Family.HOLES}, "Engrave": _ANY_LINES, "Helix": {Family.AROUND},
     "Profile": _ALONG, "Slot": _ANY_LINES, "Tapping": {Family.HOLES}, "ThreadMilling": {Family.AROUND},
     "Vcarve": _ALONG, "Waterline": _ALONG,
 }  # fmt: skip
-# Families that fit the patterns of pockets, facing and surfaces.
+# Families of strategies that fit the patterns of pockets, facing and surfaces.
 _PATTERNS = {
     "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
     "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
@@ -49,7 +49,7 @@ def contradicts(name: str | None, found: Recognition) -> bool:
 def name_of_intent(obj) -> str | None:
     """Return FreeCAD's name for an operation's kind, or for its pattern if the kind implies no strategy; else None.
 
-    FreeCAD's experimental waterline can clear its layers with rows; then None is returned.
+    FreeCAD's experimental waterline operation can clear each depth with rows; then None is returned.
     """
     if kind(obj) in ("dressup", "array"):  # dress-ups and arrays have no pattern
         return None

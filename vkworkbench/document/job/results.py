@@ -110,7 +110,7 @@ _closed_documents: _ClosedDocuments | None = None
 
 
 def remember(rows: Iterable[OperationReport]) -> None:
-    """Store the latest rows of some operations; other operations keep their rows."""
+    """Store the latest results of some operations; the stored results of other operations stay."""
     global _closed_documents
     if _closed_documents is None:
         _closed_documents = _ClosedDocuments()
@@ -120,12 +120,12 @@ def remember(rows: Iterable[OperationReport]) -> None:
 
 
 def latest_row(obj, fingerprint: str) -> OperationReport | None:
-    """Return the latest row of an operation; None without a row, or if the row has another fingerprint."""
+    """Return the latest results of an operation; None without results, or if they have another fingerprint."""
     row = _latest.get(obj.Document.Name, {}).get(obj.Name)
     return row if row is not None and row.fingerprint == fingerprint else None
 
 
 def latest_rows(rows: Iterable[OperationReport]) -> dict[tuple[str, str], OperationReport]:
-    """Return all latest rows by the names of document and operation, updated by the given rows."""
+    """Return the latest results of all operations by the names of document and operation, updated by the given rows."""
     known = {(document, name): row for document, own in _latest.items() for name, row in own.items()}
     return {**known, **{(row.document, row.name): row for row in rows}}

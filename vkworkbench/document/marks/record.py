@@ -86,7 +86,7 @@ class Record(Costs):
     off: bool = False
     text: str = ""
     label: str = ""
-    advice: ClassVar[dict] = {}  # a mark does not store advice
+    advice: ClassVar[dict] = {}  # a mark does not store the recommended settings of simulators
 
     @property
     def shown(self) -> Record:

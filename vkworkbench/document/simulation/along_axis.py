@@ -53,7 +53,7 @@ class AlongAxis:
     seen: SeenModel | None
 
     def facts(self, tolerance: float, going_on: Callable[[], None] = lambda: None) -> JobFacts:
-        """Return the facts on the operations and the job, and the verdict; see `core.zbuffer.facts`.
+        """Return the simulation's facts on operations and job, with the verdict on the job; see `core.zbuffer.facts`.
 
         `going_on` is called many times a second during most of the work. An exception from it ends the work.
         """

@@ -154,9 +154,9 @@ class Simulation(SimulatedPart):
     ----------
     job : SimulatedJob
     zbuffer : ZBuffer
-        Depth and owner of every pixel, dexels and traces.
+        Depth of every pixel and the trajectory that cut it, dexels and traces.
     along_axis : OnceAlongAxis
-        The simulation along the tool axis, from which the facts come.
+        The simulation along the tool axis, from which `facts` computes its results.
     """
 
     job: SimulatedJob
@@ -177,7 +177,7 @@ class Simulation(SimulatedPart):
     def facts(self, *, tolerance: float = TOLERANCE) -> SimulationFacts:
         """Return the removed volumes, air cuts, crashes, fast plunges, gouges and leftover material of the job.
 
-        The facts do not depend on the view and the moment. The first call simulates the job along the tool axis, as
+        The results do not depend on the view and the moment. The first call simulates the job along the tool axis, as
         finely as is useful and as the budgets allow, and all facts come from this simulation.
 
         Parameters

@@ -166,7 +166,7 @@ class KnownFaults:
         )
 
     def keep(self, proved: list[Fault], verdict: Verdict) -> None:
-        """Store the faults and the verdict of a check, and show them in the marks and the results panel."""
+        """Store the faults and the verdict of a check, and show them in the marks in the tree and the results panel."""
         self._proved, self._verdict = proved, verdict
         self._publish()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machining time of a job, and the shown moment in it, which the user chooses, steps to or plays."""
+"""The machining time of a job, and the shown moment of the job, which the user chooses by clicks, steps or playback."""
 
 from __future__ import annotations
 
