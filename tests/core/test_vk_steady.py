@@ -65,7 +65,7 @@ def test_callback_between_pieces_is_not_timed_and_may_stop():
     assert shop.turns == [0, 1, 0, 1]
 
 
-def test_times_on_a_busy_computer_are_those_of_a_quiet_one():
+def test_times_on_a_busy_computer_equal_times_on_a_quiet_one():
     rng = np.random.default_rng(7)
     for _ in range(50):
         busy = (0.1 * (1 + rng.choice([0.0, 0.02, rng.uniform(0.1, 3.0)])) for _ in range(99))

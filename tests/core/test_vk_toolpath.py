@@ -91,7 +91,7 @@ def test_wrong_type_of_toolpath_raises_with_a_sentence():
         simulate_job([(path, tool)], stock=stock, view=view)
 
 
-def test_dwell_changes_only_time_and_rotary_axis_length_too():
+def test_unread_dwell_affects_time_and_rotary_axis_also_length():
     dwell, turned = Problem(4, Message("dwell-untimed")), Problem(4, Message("rotary-not-read", letter="A"))
     assert dwell.of_time and dwell.takes_time
     assert turned.takes_time and not turned.of_time

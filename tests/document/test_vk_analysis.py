@@ -349,7 +349,7 @@ BAD_PATHS = {
 }  # fmt: skip
 
 
-def test_bad_path_has_an_error_and_others_are_analyzed(small, zigzag_commands):
+def test_bad_path_has_an_error_and_other_paths_are_analyzed(small, zigzag_commands):
     good = small.add("Good", zigzag_commands)
     for label, (commands, _) in BAD_PATHS.items():
         small.add(label, commands)

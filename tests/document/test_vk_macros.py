@@ -74,7 +74,7 @@ def test_heavy_job_is_named_with_its_simulator(example):
     assert len(too_heavy(example, 1e9, 0.0)) == len(slow)
 
 
-def test_compare_lists_differences_of_two_versions(example, example_path, tmp_path):
+def test_compare_macro_lists_differences_of_two_versions(example, example_path, tmp_path):
     shutil.copy(example_path, tmp_path / "old.FCStd")
     old = FreeCAD.openDocument(str(tmp_path / "old.FCStd"))
     before = state(old)

@@ -35,7 +35,7 @@ def hangs(simulator):
     "seconds, expected",
     [(None, Burden.FINE), (299.0, Burden.FINE), (301.0, Burden.NEAR), (600.0, Burden.NEAR), (601.0, Burden.OVER)],
 )
-def test_time_is_near_the_budget_from_half_of_it(seconds, expected):
+def test_time_is_near_the_budget_from_half_of_the_budget(seconds, expected):
     assert burden(record(seconds), CHOSEN) is expected
     assert is_warned(record(seconds), CHOSEN) is (expected is Burden.OVER)
 

@@ -328,7 +328,7 @@ def test_click_on_a_title_sorts_within_the_job(panel, opened, window):
     assert labels(panel)[1:] == [o.label for o in operations]
 
 
-def test_filter_by_words_strategy_and_warnings(panel, opened, window):
+def test_filter_finds_rows_by_words_strategy_and_warnings(panel, opened, window):
     strategies = {o.label: o.strategy.value for o in vkworkbench.analyze(opened).operations}
     panel.filter.words.setFocus()
     window.type(panel.filter.words, "POCKET")
@@ -500,7 +500,7 @@ def test_analysis_writes_no_table_into_the_report_view(panel, window):
     assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
 
 
-def test_simulation_time_is_the_same_as_in_marks(panel, opened, window):
+def test_simulation_time_in_the_panel_is_the_time_in_the_marks(panel, opened, window):
     """The panel shows the time of the simulator in the preferences, for jobs as in the tree."""
     try:
         for name in ("legacy", *(["OpenGL"] if OPENGL else []), "z-buffer"):
@@ -543,7 +543,7 @@ def sign(panel, label):
     return index.data(QtCore.Qt.DecorationRole)
 
 
-def test_warning_signs_are_the_same_as_in_the_tree(panel, opened, window):
+def test_warning_signs_in_the_panel_equal_signs_in_the_tree(panel, opened, window):
     """A row with a time over the budget has the sign ⚠ and a faster way; the tree has the sign in the same rows."""
     harmless = [label for label, text in column(panel, "Notes").items() if text and not sign(panel, label)]
     try:
@@ -739,7 +739,7 @@ def test_note_explains_a_different_cycle_time_of_freecad(panel, opened, window):
     job.CycleTime = before
 
 
-def test_other_rows_are_kept_when_one_is_analyzed_again(panel, opened, window):
+def test_other_table_rows_stay_when_one_is_analyzed_again(panel, opened, window):
     count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")

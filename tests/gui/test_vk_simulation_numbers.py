@@ -177,7 +177,7 @@ def test_scale_of_times_begins_with_the_first_end():
     assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first colour is the colour of the stock
 
 
-def test_missing_feed_is_the_median_of_the_others():
+def test_missing_feed_is_the_median_of_the_other_feeds():
     words = [
         {"X": 0.0, "Y": 0.0, "Z": 15.0},
         {"X": 10.0},

@@ -95,7 +95,7 @@ def budget_between(document, low, high):
     preferences.write(time_budget=(low(costs) * high(costs)) ** 0.5)
 
 
-def test_no_warning_within_the_budget(marked, window):
+def test_warning_is_not_shown_within_the_budget(marked, window):
     preferences.write(time_budget=1e5)
     for name in freecad.own_simulators():
         assert start(window, name) == []

@@ -20,7 +20,7 @@ def ends(toolpath):
 START = ("G0", {"X": 0, "Y": 0, "Z": 0})
 
 
-def test_missing_words_keep_the_other_axes():
+def test_axis_without_a_word_keeps_its_coordinate():
     toolpath = path(START, ("G1", {"X": 10, "F": 5}), ("G1", {"Y": 5}), ("G0", {"Z": 3}))
     assert ends(toolpath) == [[10, 0, 0], [10, 5, 0], [10, 5, 3]]
     assert toolpath.rapid.tolist() == [False, False, True]

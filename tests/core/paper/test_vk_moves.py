@@ -45,7 +45,7 @@ def test_area_ends_at_a_plunge_and_retract():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, (0, 2, -5), (0, 2, -1), (20, 2.5, -1), (20, 9, -1)))) == [3, 2]
 
 
-def test_area_ends_at_other_depth_unless_straight():
+def test_area_ends_at_another_depth_unless_path_is_straight():
     step, wall = feed((0, 0, -1), *ROW, (0, 2, -2), (0, 30, -2)), feed((0, 0, -1), *ROW, (0, 2, 3), (-20, 2, 3))
     assert sizes(areas_of(*step)) == [3, 1]
     assert sizes(areas_of(*wall)) == [4]  # the rows continue up a wall

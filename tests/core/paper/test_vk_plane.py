@@ -46,7 +46,7 @@ def test_rapids_do_not_affect_the_plane():
 
 
 @pytest.mark.parametrize("place", [0, 1, 99, 100, 200])
-def test_one_point_outside_a_vertical_plane_makes_it_xy(place):
+def test_point_outside_a_vertical_plane_makes_the_plane_xy(place):
     """The search first samples the moves of a long path, but the moves between the samples and both ends count, too."""
     points = waves(200)
     points[place, 1] += 1

@@ -144,7 +144,7 @@ def test_results_are_written_as_csv_and_json_lines(folder, tmp_path, inside):
 
 @pytest.mark.long
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_resume_continues_where_it_stopped(folder, tmp_path, kind, inside):
+def test_resume_option_continues_where_the_last_run_stopped(folder, tmp_path, kind, inside):
     out = tmp_path / "out"
     arguments = folder, kind, out, "--jobs", 1
     assert inside(*arguments).returncode == 1

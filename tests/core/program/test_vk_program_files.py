@@ -592,7 +592,7 @@ def test_unknown_machine_is_refused(tmp_path, machine):
 
 
 @pytest.mark.parametrize("times", [999_999_999, 1_000_001])
-def test_call_with_a_million_repeats_ends_at_once(tmp_path, times):
+def test_reading_a_call_with_a_million_repeats_ends_at_once(tmp_path, times):
     (tmp_path / "a.nc").write_text(f"G0 X0 Y0 Z0\nM98 P1 L{times}\nM30\nO1\nG1 X1 F100\nM99\n")
     (row,) = vkworkbench.analyze(tmp_path).operations
     assert any("would run more than 1,000,000 lines" in render(remark) for remark in row.remarks)

@@ -66,7 +66,7 @@ def test_stock_of_a_program_is_a_box_around_its_cuts(program):
 @pytest.mark.parametrize(
     "words, top", [("G0 X9\nG1 Z3 F9\nX20\nG0 Z9\nX0", 3), ("G0 Z-5 X9\nG1 Z-30 F9\nX20\nG0 Z-5\nX0", -30)]
 )
-def test_box_ends_at_the_highest_cut_if_zero_is_elsewhere(tmp_path, words, top):
+def test_stock_box_ends_at_the_highest_cut_if_z0_is_elsewhere(tmp_path, words, top):
     path = tmp_path / "part.nc"
     path.write_text(f"G21 (zero elsewhere)\nG0 Z9 X0 Y0\n{words}\nM30\n" if top > 0 else f"G21\n{words}\nM30\n")
     assert vkworkbench.simulate(path, tool=Tool("endmill", 6)).stock.upper[2] == top

@@ -330,7 +330,7 @@ def test_reasons_use_singular_and_signs_like_people():
 
 @pytest.mark.parametrize("turn", [1, -1])
 @pytest.mark.parametrize("count", [5, 8, 15, 33])
-def test_contour_through_the_start_of_its_zigzag_finishes_it(count, turn):
+def test_contour_through_the_start_of_a_zigzag_finishes_the_rows(count, turn):
     # The zigzag and the first half of the contour return to the start after one net turn, but are not a loop.
     width, step = 30.0, 7.0
     end = (count - 1) * step

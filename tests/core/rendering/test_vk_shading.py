@@ -45,7 +45,7 @@ def test_empty_pixels_have_the_background_colour():
     assert (image[:-10] == image[0, 0]).all()
 
 
-def test_step_has_a_dark_line_and_changes_nothing_else():
+def test_step_in_depth_has_a_dark_line_and_no_other_effect():
     depth = plane()
     depth[:, 30:] -= 5
     image = shade(depth, 0.5, GREY)

@@ -256,7 +256,7 @@ def test_label_of_more_than_sixty_characters_is_cut(length, shown):
     assert lines(report(operation(length * "x")))[1].split()[0] == shown
 
 
-def test_words_are_left_and_numbers_right_aligned():
+def test_words_are_left_aligned_and_numbers_right_aligned():
     rows = (
         operation("One"),
         operation("Two", replace(KNOWN, cutting_length=123456.0), remarks=(Message("no-cutting-move"),)),

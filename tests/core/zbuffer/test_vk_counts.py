@@ -27,7 +27,7 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
     ],
 )
 def test_unconnected_cuts_leave_a_maximum_of_trajectory_numbers(owners, unconnected):
-    others = [UNCUT, 1, UNCUT]  # pieces of the previous and the next ray, which are not compared with this ray
+    others = [UNCUT, 1, UNCUT]  # the maxima of the rays before and after are at ends
     rays = np.repeat(np.arange(3), [3, len(owners), 3])
     pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
     assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]

@@ -60,7 +60,7 @@ def test_fast_plunges_of_thin_tools_are_found():
 
 
 @pytest.mark.parametrize("aside, crashed", [(0.0, False), (0.015, False), (0.1, True), (0.3, True)])
-def test_rapid_in_slot_wall_is_a_crash_if_it_more_than_touches(aside, crashed):
+def test_rapid_that_more_than_touches_a_slot_wall_is_a_crash(aside, crashed):
     """A rapid returns through a slot with a sideways shift.
 
     Rays a sixteenth of the tool apart miss the thin shaving of the wall.

@@ -80,7 +80,7 @@ def test_many_trajectories_make_larger_blocks(monkeypatch):
         (3, [(-3, 1, 0), (-4, -2, 2), (0, 4, 2), (5, 9, 4), (6, 8, 5)]),
     ],
 )
-def test_dexels_are_those_left_after_some_trajectories(step, expected):
+def test_dexels_are_the_pieces_left_after_some_trajectories(step, expected):
     assert records().dexels(step).tolist() == expected
 
 

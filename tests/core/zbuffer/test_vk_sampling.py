@@ -147,7 +147,7 @@ def test_rays_with_many_passes_are_fewer_but_at_least_100():
         assert len(drawn([(20, 15, 5), (20.1, 15, 5)] * (many // 2), WIDE)[1].x) == pytest.approx(rays, abs=1)
 
 
-def test_counts_of_an_image_cut_once_are_close():
+def test_estimated_counts_of_an_image_cut_once_are_close():
     """A tool wider than the stock leaves a dexel and a trace in each pixel. A band has 64 rows."""
     counts = count(removal([(0, 15, 5), (40, 15, 5)], WIDE, View(TOP, 320, 240)))
     assert (counts.stock, counts.pixels) == (pytest.approx(320 * 240), 320 * 240)
@@ -156,7 +156,7 @@ def test_counts_of_an_image_cut_once_are_close():
     assert counts.traces_error < 0.1 * counts.traces
 
 
-def test_counts_of_an_image_cut_through_are_close():
+def test_estimated_counts_of_an_image_cut_through_are_close():
     counts = count(removal([(0, 15, -1), (40, 15, -1)], WIDE))
     assert counts.dexels == pytest.approx(0, abs=1e-6 * 4800) and counts.traces == pytest.approx(4800, rel=0.05)
 

@@ -93,7 +93,7 @@ def hollow():
     ],
     ids=["box, from above", "hollow, from above", "box, oblique", "hollow, oblique"],
 )
-def test_shared_records_equal_those_of_one_process(view, stock, workers):
+def test_shared_dexels_and_traces_equal_those_of_one_process(view, stock, workers):
     path, solids = case(view, stock)
     alone = simulate(path, **solids, processes=1)
     assert not workers
@@ -143,7 +143,7 @@ def test_work_beyond_memory_stays_in_this_process(monkeypatch):
 
 @pytest.mark.long
 @pytest.mark.parametrize("regions", [0, 2])
-def test_work_of_a_dead_process_is_done_by_others(regions, workers, monkeypatch):
+def test_work_of_a_dead_process_is_done_by_other_processes(regions, workers, monkeypatch):
     """The worker dies before its first region, and then after two regions."""
     done = []
 

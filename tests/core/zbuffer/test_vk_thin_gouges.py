@@ -93,7 +93,7 @@ def test_moves_beyond_the_time_limit_are_reported_unchecked():
     assert facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL).verdict.unchecked == thin.unchecked
 
 
-def test_gouges_on_fine_rays_replace_those_of_the_image():
+def test_gouges_on_fine_rays_replace_gouges_of_the_image():
     wide = cut(*slot(200, 17.0), tool=Tool("endmill", 6))
     cuts = [cut(*slot(50.1, 17.5), *slot(80.1, 17.5)), wide]
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=1200, height=800))

@@ -153,7 +153,7 @@ def test_quarters_that_a_level_move_meets_stay(side, ends, direction):
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("height, deeper, stay", [(9.9, 9.9, [0]), (-0.1, -2.0, [0]), (0.1, -2.0, [0, 1])])
-def test_opened_quarter_is_not_met_again(height, deeper, stay, direction):
+def test_quarter_of_a_tile_that_is_opened_is_not_met_again(height, deeper, stay, direction):
     """A tool wider than the block of 10 mm moves back and forth at two heights. The move down is beside the block."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     points = [(-60, 15, height), (100, 15, height), (100, 15, deeper), (-60, 15, deeper)]

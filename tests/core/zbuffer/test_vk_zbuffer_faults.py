@@ -231,7 +231,7 @@ def test_depth_and_width_of_cut_do_not_depend_on_the_view(direction):
     assert width == pytest.approx([6 * 42 / 50, 3 * 42 / 50], rel=0.03)
 
 
-def test_peak_and_mean_rates_of_rows_are_known():
+def test_peak_and_mean_removal_rates_of_rows_are_measured():
     z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=VIEW)
     found = facts(z).job
     # The rows are 5 mm wide and 2 mm deep at 10 mm/s. Each row has 50 mm, of which 42 mm are on the block.
