@@ -53,7 +53,7 @@ def chord(solid, origin, direction):
         ((2, 4, 4), (0, 1, 0), -2, 6),
         ((0, 3, 4), (1, 0, 0), 1, 5),
         ((0, 1, 4), (1, 1, 0), sqrt(2), 5 * sqrt(2)),
-        ((5, 2, 0), (0, 0.6, 0.8), 3.75, 7.5),  # along a side of the box
+        ((5, 2, 0), (0, 0.6, 0.8), 3.75, 7.5),  # the ray goes along a side of the box
         ((2, 2, 7), (1, 1, -1), sqrt(3), 3 * sqrt(3)),
     ],
 )

@@ -41,15 +41,16 @@ def test_cylinder_has_its_size_corners_and_planes():
     "origin, direction, near, far",
     [
         ((1, 2, 20), (0, 0, -1), 9, 17),
-        ((5, 5, 0), (0, 0, 1), 3, 11),  # a ray on the wall
+        ((5, 5, 0), (0, 0, 1), 3, 11),  # the ray lies on the wall
         ((-10, 2, 5), (1, 0, 0), 6, 16),
-        ((-10, 5, 5), (1, 0, 0), 7, 15),  # 3 mm beside the axis, from 4 mm before to 4 mm after the axis
-        ((1, 20, 3), (0, -1, 0), 13, 23),  # a ray in the lower face
+        ((-10, 5, 5), (1, 0, 0), 7, 15),  # the ray passes 3 mm beside the axis and is inside for 8 mm
+        ((1, 20, 3), (0, -1, 0), 13, 23),  # the ray lies in the lower face
         ((1, 20, 11), (0, -1, 0), 13, 23),
-        ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # in through the wall, and out through the lower face
-        ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # in through the wall, and out through the upper face
-        ((-10, 6.95, 5), (1, 0, 0), 11 - sqrt(25 - 4.95**2), 11 + sqrt(25 - 4.95**2)),  # 0.05 mm inside the wall
-        ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # through the lower and the upper face
+        ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # the ray enters through the wall and leaves through the lower face
+        ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # the ray enters through the wall and leaves through the upper face
+        # The ray is 0.05 mm inside the wall.
+        ((-10, 6.95, 5), (1, 0, 0), 11 - sqrt(25 - 4.95**2), 11 + sqrt(25 - 4.95**2)),
+        ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # the ray passes through the lower and the upper face
         ((1 - 10, 2 - 10, 7), (sqrt(0.5), sqrt(0.5), 0), 10 * sqrt(2) - 5, 10 * sqrt(2) + 5),
     ],
 )

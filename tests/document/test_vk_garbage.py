@@ -60,7 +60,7 @@ def test_young_garbage_is_collected_above_the_threshold(collector):
     ring = gone()
     gc.set_threshold(1_000_000)
     garbage.collect()
-    assert ring() is not None  # too early for the next collection
+    assert ring() is not None  # it is too early for the next collection
     gc.set_threshold(1)
     more = [[] for _ in range(10)]
     garbage.collect()

@@ -427,7 +427,7 @@ def test_decimal_comma_in_the_locale_changes_no_result(example, decimal_comma, t
 def test_unit_system_of_the_user_changes_no_result(example):
     before = findings(vkworkbench.analyze(example))
     try:
-        FreeCAD.Units.setSchema(2)  # inches
+        FreeCAD.Units.setSchema(2)  # FreeCAD shows inches
         assert findings(vkworkbench.analyze(example)) == before
     finally:
         FreeCAD.Units.setSchema(6)

@@ -49,7 +49,7 @@ def test_time_is_near_the_budget_from_half_of_the_budget(seconds, expected):
         ({"cautions": (hangs("legacy"),)}, True),
         ({"cautions": (hangs("OpenGL"),)}, False),  # the other simulator is not the chosen one
         ({"cautions": (hangs("OpenGL"), hangs("legacy"))}, True),
-        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # not serious
+        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # the caution is not serious
     ],
     ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )

@@ -164,7 +164,7 @@ def test_esc_cancels_the_analysis_without_any_change(opened, window):
     QtCore.QTimer.singleShot(20, press_esc)
     window.click("Analyze Toolpaths")
     window.settle()
-    assert pressed and pressed[0]  # the operation's name
+    assert pressed and pressed[0]  # the operation's name was shown
     assert "cancelled" in window.main.statusBar().currentMessage()
     assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList)) for obj in opened.Objects] == before
     assert opened.UndoCount == undo

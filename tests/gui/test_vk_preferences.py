@@ -101,7 +101,7 @@ def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
 def test_preferences_page_shows_freecads_units(with_page, window):
     units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     schema = FreeCAD.Units.getSchema()
-    FreeCAD.Units.setSchema(3)  # imperial decimal
+    FreeCAD.Units.setSchema(3)  # schema "imperial decimal"
     try:
         texts = []
         with_page(lambda form: texts.append(form.tolerance.findChild(QtGui.QLineEdit).text()), CANCEL)

@@ -234,10 +234,10 @@ def test_crash_is_found_in_three_clicks(desk, window):
         menu = warnings.menu()
         texts.extend(action.text() for action in menu.actions())
         window.screenshot("simulation-crash-2")
-        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # the second click
+        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # this is the second click
 
     QtCore.QTimer.singleShot(300, choose)
-    window.click_on(warnings)  # the first click
+    window.click_on(warnings)  # this is the first click
     assert texts[0].startswith(f"Pocket around island, command {number + 1} ({code}): A rapid move removes ")
     window.wait(lambda: player.pictures.is_current)
     source = player.simulation.source(player.moment.done - 1)

@@ -159,7 +159,7 @@ def test_saved_removal_rates_are_volumes_per_minute(tmp_path):
 
 
 def colored(make, volumes, ends):
-    clock = Clock.__new__(Clock)  # without a job
+    clock = Clock.__new__(Clock)  # the clock has no job
     clock.ends, clock.cuts = np.array(ends), volumes
     job = coloring.Job(("Op",), (Strategy.UNKNOWN,), clock, np.array(volumes), None, False, 0.1)
     return make(None, job)

@@ -47,10 +47,10 @@ def test_fast_or_large_toolpath_does_not_look_like_inches():
     assert looks_like_inches(replace(small, feed=np.full(len(small), 20.0)), imported=True)
     # the feed is 800 mm/min
     assert not looks_like_inches(replace(small, feed=np.full(len(small), 800.0)), imported=True)
-    assert not looks_like_inches(small, tool_diameter=0.3)  # a tool for engraving
+    assert not looks_like_inches(small, tool_diameter=0.3)  # tools of 0.3 mm exist for engraving
     assert not looks_like_inches(shrunk(zigzag(lift=200.0)))
     assert not looks_like_inches(linearize([]))
-    # a single hole
+    # The toolpath is a single hole.
     assert not looks_like_inches(linearize([("G0", {"X": 1.0, "Y": 0.0, "Z": 1.0}), ("G1", {"Z": -0.1})]))
 
 
@@ -72,7 +72,7 @@ def test_size_and_feed_limits_decide_about_inches(changed, imported, said):
 def test_laser_and_wide_part_are_not_too_small():
     assert not looks_like_inches(
         zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0)
-    )  # a laser is not lifted
+    )  # a laser is not lifted between rows
     small = zigzag(width=10.0, rows=4, step=0.5, depth=-0.5, lift=2.0, feed=1.0)
     assert looks_like_inches(small, tool_diameter=2.6) and not looks_like_inches(small, tool_diameter=2.4)
 

@@ -169,7 +169,7 @@ def test_moves_around_corners_or_slopes_are_not_links():
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *bent, (60, 2, -1)))) == [3, 2, 1]
     sloped = [(0, 2, 5), (40, 2, 8), (40, 2, -1)]
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *sloped, (60, 9, -1)))) == [3, 1, 1]
-    low = [(0, 2, -3), (40, 2, -3), (40, 2, -1)]  # down, along a groove, and up
+    low = [(0, 2, -3), (40, 2, -3), (40, 2, -1)]  # the tool moves down, along a groove, and up
     assert sizes(areas_of(*feed((0, 0, -1), *ROW, *low, (40, 30, -1), (60, 30, -1)))) == [3, 1, 2]
 
 

@@ -328,7 +328,7 @@ def test_table_of_a_program_is_printed_before_the_next_is_read(tmp_path, monkeyp
         return analyze_file(path, chosen)
 
     monkeypatch.setattr(command_line, "analyze_apart", read)
-    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # a buffered stream, like a pipe
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # the output is buffered, as for a pipe
     assert main([str(tmp_path), "--jobs", "1"]) == 0
     assert b"zigzag" in seen[1]
 
@@ -530,7 +530,7 @@ def scheduler(tmp_path):
     with socket.create_server(("127.0.0.1", 0)) as server:
         try:
             socket.create_connection(server.getsockname(), timeout=10).close()
-        except OSError as error:  # a root folder without network
+        except OSError as error:  # the root folder has no network
             pytest.skip(f"no connection to 127.0.0.1 ({error}): --scheduler is not tested")
     file = tmp_path / "scheduler.json"
     # As on a cluster, the workers import the installed add-on and do not find it by their working folder.

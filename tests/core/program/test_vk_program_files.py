@@ -43,8 +43,8 @@ PROGRAM = (
         (b"\xfe\xff" + "G1 X1".encode("utf-16-be"), "G1 X1"),
         (b"\xef\xbb\xbfG1", "G1"),
         (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
-        (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # a stray control character
-        # captured from a serial line
+        (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # the text ends with a stray control character
+        # the text was captured from a serial line
         (b"\x12%\r\n\0\0\0G1 X1\0\r\n\x13\x11G1\r\n%\r\n\x14", "%\r\nG1 X1\r\nG1\r\n%\r\n"),
         (101 * b"\0" + 30 * b"\x7f" + b"G1", "G1"),
         ("G1 X1 (ü)\r\n".encode("utf-16-le"), "G1 X1 (ü)\r\n"),

@@ -202,7 +202,7 @@ def test_plunges_are_borders_if_one_plunge_has_four_passes():
         ([(0, -2.0), (10, -2.0), (20, -1.0)], False),  # the rest of a waterline's contours on a gentle slope
         ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # the holes are as deep as the pocket
         ([(0, -2.0), (10, -2.5), (20, -1.0)], True),
-        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # pecks in one hole
+        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # these moves are pecks in one hole
     ],
 )
 def test_plunges_to_the_depths_of_contours_are_not_holes(places, borders):

@@ -278,7 +278,8 @@ def test_visits_in_separate_places_share_no_ground():
     told = compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
     told = compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))
-    assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0  # holes in one place
+    # All holes of both visits are in one place.
+    assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0
 
 
 def test_ground_of_recent_visit_is_cut_again():

@@ -30,7 +30,7 @@ def test_section_shows_the_profile_of_a_slot(slot):
     face = shown.owner == CUT_OPEN
     assert face.sum() * frame.pixel**2 == pytest.approx(60 * 12 - 6 * 7, rel=0.02)
     depth = shown.depth[face]
-    assert np.ptp(depth) < 0.2 and depth.mean() == pytest.approx(0.0, abs=0.1)  # at the middle of the block
+    assert np.ptp(depth) < 0.2 and depth.mean() == pytest.approx(0.0, abs=0.1)  # the face is in the middle of the block
 
 
 @pytest.mark.parametrize("hides_above", [True, False])

@@ -39,7 +39,7 @@ def test_brightness_follows_lamberts_law(right, up):
 
 def test_empty_pixels_have_the_background_colour():
     depth = plane()
-    depth[:10] = np.nan  # the lowest rows
+    depth[:10] = np.nan  # the lowest rows of pixels are empty
     image = shade(depth, 0.5, GREY)
     assert (image[-10:] == BACKGROUND).all()
     assert (image[:-10] == image[0, 0]).all()

@@ -123,7 +123,7 @@ def test_meshes_of_a_play_include_the_operations_before():
     ]
     together, constants = legacy_together(costs), costs[0].constants
     assert together.facets == 1100 and together.shown == 70
-    uncut = constants.cell * costs[0].cells + constants.redraw  # shown once, and not three times
+    uncut = constants.cell * costs[0].cells + constants.redraw  # the uncut stock is shown once, and not three times
     alone = sum(cost.play_seconds for cost in costs) - 2 * uncut
     more = 20 * 100 + 40 * (100 + 300)
     assert together.play_seconds == pytest.approx(alone + (constants.facet + constants.display) * more)

@@ -202,7 +202,7 @@ def reference(moves, tool, body_radius, bottom, before):
 def test_collisions_agree_with_small_steps(body, seed):
     rng = np.random.default_rng(seed)
     points = rng.uniform((0, 0, 3), (30, 20, 11), (9, 3))
-    points[::3, 2] = points[1::3, 2]  # some level moves
+    points[::3, 2] = points[1::3, 2]  # every third move is level
     moves, tool = Toolpath.through(points), Tool("endmill", 4, cutting_edge_height=3, shank_diameter=7)
     radius, bottom = (1.98, 3.02) if body == "flutes" else (3.48, 3.02)
     depths = reference(moves, tool, radius, bottom, before=body == "flutes")

@@ -353,7 +353,7 @@ def test_kinds_of_trajectories_need_own_blocks_in_common_bands():
     assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # the path is above the stock
     # only the part in the image counts
     assert work((path([(40, -50, 15), (40, 10, 15)]), 6)).bands == pytest.approx(1 + 13 / 8)
-    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # limited to the number of bands
+    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # the number is limited to the bands of the image
 
 
 def test_work_in_another_image_is_computed_from_one_estimate():
@@ -435,7 +435,7 @@ def test_image_for_a_time_budget_takes_this_time():
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=speed)
     chosen = best_resolution([found], seconds=found.seconds / 3, memory_bytes=1e12)
     again = estimate(toolpath, None, tool=tool, stock=STOCK, view=chosen.view, speed=speed)
-    assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)  # relative error because of whole pixels
+    assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)  # the size in whole pixels causes the error
     assert again.seconds == pytest.approx(found.seconds / 3, rel=0.1)  # other tiles are drawn in another image
     assert "limited by the time" in chosen.explanation
 
@@ -479,7 +479,7 @@ def test_memory_of_several_operations_is_combined():
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
 
     def needed(*estimates):
-        return best_resolution(estimates, memory_bytes=1.0).memory_bytes  # memory for a single pixel
+        return best_resolution(estimates, memory_bytes=1.0).memory_bytes  # this is the memory for a single pixel
 
     assert needed(small, large) == needed(large, small)
     assert needed(small, large) - needed(small, small) == pytest.approx(2e9)
@@ -514,7 +514,7 @@ def test_passes_are_visible_with_four_pixels_per_stepover():
         in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
     assert "Passes 3 mm apart need 0.75 mm." in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
-    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # without a known stepover
+    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # the stepover is unknown
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

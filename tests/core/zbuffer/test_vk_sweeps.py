@@ -64,7 +64,7 @@ def test_lowest_height_of_a_sweep_equals_many_positions(tool):
     place = np.linspace(0, 1, 2000)[:, None]
     away = np.hypot(*(at - begin - place * by for at, begin, by in zip((x, y), start, move)))
     expected = (tool.height(away) + start[2] + place * move[2]).min(axis=0)
-    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # far enough from the rim
+    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # the point is far enough from the rim
     assert np.array_equal(np.isfinite(found)[clear], np.isfinite(expected)[clear]) and clear.sum() > 0.7 * RAYS
     hit = clear & np.isfinite(expected)
     # Between two sampled positions, the tool is lower by at most the change between the positions.

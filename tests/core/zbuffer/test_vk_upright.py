@@ -105,10 +105,10 @@ def test_opened_depth_beside_the_axis_of_a_move_is_exact(tool, slope):
 @pytest.mark.parametrize(
     "along, aside, near, far",
     [
-        (0.0, 0.0, 0.0, 0.5),  # around the move
-        (2.0, 1.0, 0.5, 1.5),  # beside the move
-        (6.5, 0.0, 1.0, 4.25**0.5),  # 2 mm past the end of the move, on its line
-        (-6.5, 1.5, 2**0.5, 8**0.5),  # past the end of the move, and 1.5 mm beside its line
+        (0.0, 0.0, 0.0, 0.5),  # the square is around the move
+        (2.0, 1.0, 0.5, 1.5),  # the square is beside the move
+        (6.5, 0.0, 1.0, 4.25**0.5),  # the square is 2 mm past the end of the move, on the move's line
+        (-6.5, 1.5, 2**0.5, 8**0.5),  # the square is past the end of the move, and 1.5 mm beside the move's line
     ],
 )
 def test_level_bounds_are_those_of_nearest_and_farthest_point(tool, along, aside, near, far):

@@ -103,7 +103,7 @@ def wrong_probes(cuts, at, owner, uncut):
 
 
 def check(z, stock, pixels=None):
-    """Check, for pixels of a moment (by default all), that the points of pieces are removed by the pieces' trajectories."""
+    """Check, for pixels of a moment (by default all), that the trajectories of pieces remove the pieces' points."""
     frame, dexels, cut = z.frame, z.dexel_records, z.trace_records["trajectory"] < z.step
     traces = z.trace_records[cut]
     trace_pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))[cut]

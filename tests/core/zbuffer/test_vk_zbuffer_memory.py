@@ -105,7 +105,7 @@ def test_refusal_names_the_finest_image_that_fits(pixel):
     assert height == width * 3 // 4 and f"Choose an image of {width} x {height} pixels of " in str(refused.value)
     fits = view.of_size(width, height)
     found = simulate(path, **{**solids, "view": fits}, memory_budget=allowed).frame
-    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the same field of view
+    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the field of view is the same
     assert refused.value.what.arguments["instead"].arguments["pixel"] == pytest.approx(found.pixel, rel=1e-3)
     assert found.width * found.pixel >= frame.width * frame.pixel * 0.999
     chosen = best_resolution([estimate(path, None, **{**solids, "view": view})], memory_bytes=allowed)
