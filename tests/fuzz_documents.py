@@ -55,8 +55,8 @@ VALUES = {
 }  # fmt: skip
 ON_OPERATION = ["Active", "Base", "Copies", "Gcode", "Group", "Strategy", "Confidence", "Reason", "Remarks", "CuttingLength",
                 "MachiningTime", "SimulationTime", "VkWorkbenchMark", "ToolpathMark", "ToolpathFingerprint", "ToolpathStrategy"]  # fmt: skip
-# These objects are not deleted: without them, the origin of a tool's body is an error, which FreeCAD 1.1 reports after
-# it has deleted the body. See benchmarks/freecad_recompute.py.
+# Sessions do not delete these objects: without them, the origin of a tool's body is an error, which FreeCAD 1.1 reports
+# after it has deleted the body. See benchmarks/freecad_recompute.py.
 OF_ORIGIN = {"App::Plane", "App::Line", "App::Point", "App::Origin"}
 JSON = [None, -1, 0, 1e308, 10**400, "x", [], {}, [[[]]], True, float("nan"), {"a": {"b": []}}]
 

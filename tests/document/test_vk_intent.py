@@ -94,7 +94,7 @@ def test_zigzag_fits_a_waterline_operation_with_a_pattern(small, zigzag_commands
     """
     Only the experimental algorithm clears its layers with a pattern.
 
-    So only there a zigzag in a Waterline operation is not a contradiction.
+    So a zigzag in a Waterline operation is not a contradiction only if the operation has this algorithm.
     """
     waterline = small.add("Waterline", zigzag_commands)
     for name, value in (("Algorithm", algorithm), ("CutPattern", pattern)):

@@ -61,7 +61,7 @@ def test_path_changed_during_the_search_has_no_fingerprint(small, zigzag_command
 
 
 def test_two_searches_share_one_fingerprint(small, zigzag_commands, prints):
-    """Otherwise an analysis and the comparison of a mark would restart each other's search for the fingerprint."""
+    """If a search had its own result, an analysis and the comparison of a mark would restart each other's search."""
     op = small.add("One", zigzag_commands)
     whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
     prints.end(whose, first, "f")

@@ -152,7 +152,8 @@ class Window:
     def __init__(self):
         self.main = Gui.getMainWindow()
         if not os.environ.get("VKWORKBENCH_SCREENSHOTS"):
-            # Without a graphics card, the navigation cube and the axes take a third of the drawing time of a small view.
+            # Without a graphics card, the navigation cube and the axes take a third of the drawing time of a small
+            # view.
             view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
             for drawn in ("ShowNaviCube", "CornerCoordSystem", "UseNavigationAnimations"):
                 view.SetBool(drawn, False)
@@ -200,7 +201,7 @@ class Window:
         self.settle()
 
     def find(self, kind, name=None):
-        """Return all widgets of a class. They are kept until the next call, so that PySide does not delete them."""
+        """Return all widgets of a class, which are kept until the next call so that PySide does not delete them."""
         self.found = widgets.find(kind, name)
         return self.found
 

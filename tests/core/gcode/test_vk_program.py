@@ -624,7 +624,7 @@ CORNERS = [((220, 210), (210, 220), (210, 210)), ((190, 220), (180, 210), (190, 
 
 
 def rounded(absolute, said=""):
-    """Return the toolpath of rounded corners. Their centres are coordinates or offsets; `said` may declare which."""
+    """Return the toolpath of rounded corners whose centres are coordinates or offsets; `said` may declare which."""
     lines = [f"G90 {said}", "G0 X220 Y200 Z0", "F600"]
     for (x, y), (to_x, to_y), (i, j) in CORNERS:
         lines += [f"G1 X{x} Y{y}", f"G3 X{to_x} Y{to_y} " + (f"I{i} J{j}" if absolute else f"I{i - x} J{j - y}")]

@@ -127,7 +127,7 @@ def test_links_in_the_air_at_feed_are_left_out():
 
 
 def test_last_link_may_end_at_program_end_height():
-    """Otherwise drilling at feed would have one cutting area, the last link, and would look like a profile."""
+    """If the last link were a cut, drilling at feed would have one cutting area and would look like a profile."""
     holes = [(x, 0, z) for x in (0, 20, 40) for z in (1, -2, 1)]
     drilled = areas_of(*feed(*holes, (-30, -20, 1), (-30, -20, 20), (-30, -20, 30)))
     assert len(drilled) == 0 and len(drilled.holes) == 3

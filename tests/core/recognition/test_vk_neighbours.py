@@ -96,7 +96,7 @@ def test_passes_that_spread_like_a_fan_are_not_even():
 
 @pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
 def test_offset_keeps_distance_within_thirty_percent(opens, even):
-    """The mean distance is 2 mm. Its 10th and 90th percentiles differ by four fifths of `opens`."""
+    """The mean distance is 2 mm. The 10th and the 90th percentile of the distance differ by four fifths of `opens`."""
     found = neighbours([line((2.0 - opens / 2) * k, slant=opens * k) for k in range(5)])
     assert found.even == even and found.step == pytest.approx(2.0, rel=0.1)
 

@@ -41,8 +41,9 @@ def rings(count=6, step=3.0, linked=True):
     return np.vstack([corners * (5 + k * step) for k in range(count)])
 
 
-# One family of arcs of a clipped spiral fits circles around a shifted centre (docs/recognition.md, "What the toolpath
-# leaves open"). So both samples get the name that is more frequent in the training toolpaths.
+# The arcs on one side of a clipped spiral also fit circles around a shifted centre (docs/recognition.md, "Strategies
+# that the toolpath alone does not determine"). So both samples get the strategy that is more frequent in the training
+# toolpaths.
 OPEN = {"spiral clipped", "circles clipped"}
 SEEDS = 6
 
@@ -261,7 +262,7 @@ def test_large_loops_decide_the_stepover():
 
 
 def test_loop_around_islands_is_one_step_inside():
-    """The second loop follows an island. It is longer and encloses less, but all its sides moved by the same step."""
+    """The second loop follows an island. The loop is longer and encloses less, but all sides moved by the same step."""
     bay = [(4.2, 4.2), (95.8, 4.2), (95.8, 75.8), (4.2, 75.8), (4.2, 50), (40, 50), (40, 30), (4.2, 30), (4.2, 4.2)]
     inner = [("G0", {"Z": 5.0}), ("G0", {"X": 4.2, "Y": 4.2}), ("G1", {"Z": -1.0})]
     inner += [("G1", {"X": x, "Y": y}) for x, y in bay[1:]]

@@ -347,7 +347,7 @@ def test_contour_through_the_start_of_a_zigzag_finishes_the_rows(count, turn):
 
 
 def inward(wobble=0.0, digits=6, waves=100):
-    """Return a spiral inward in moves of 0.12 to 0.18 mm. Its radius varies by `wobble` mm, `waves` times per turn."""
+    """Return a spiral inward in moves of 0.12 to 0.18 mm. The radius varies by `wobble` mm, `waves` times per turn."""
     angle = np.arange(0, 9 * math.tau, 0.004)
     radius = 44 - 1.5 * angle / math.tau + wobble * np.sin(waves * angle)
     points = np.round(np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]), digits)

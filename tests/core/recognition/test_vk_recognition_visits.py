@@ -115,7 +115,7 @@ def test_most_probable_borders_are_kept_if_too_many(monkeypatch):
 
 
 def test_program_with_many_certain_borders_gets_no_more_borders(monkeypatch):
-    """Otherwise each stretch between two borders would be recognised, without an effect on the result."""
+    """If it got more borders, each stretch between two borders would be recognised, without an effect on the result."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(120):
         x, y = 30.0 * (k % 12), 25.0 * (k // 12)

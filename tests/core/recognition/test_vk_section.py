@@ -234,7 +234,7 @@ def test_eight_small_corrections_per_turn_are_hunting(count, degrees, hunting):
 
 
 def letter(i, x, z=0.0, size=3.0):
-    """Return a closed contour. It is wider by 0.5 mm for each i."""
+    """Return a closed contour that is wider by 0.5 mm for each i."""
     return polygon(size + 0.5 * i, x=x, z=z, corners=3 + i % 5, ratio=1 + 0.1 * i)
 
 

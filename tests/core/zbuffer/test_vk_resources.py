@@ -393,7 +393,7 @@ def test_speed_is_computed_from_measured_times():
 def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
     """With the default speed, each run uses only this process and an image of whole tiles.
 
-    Its work is given to the fit.
+    The work of each run is given to the fit.
     """
     runs, works = [], []
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))

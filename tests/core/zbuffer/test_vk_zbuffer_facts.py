@@ -187,7 +187,7 @@ def test_place_of_a_crash_is_its_deepest_place():
 
 @pytest.mark.parametrize("tool", [FLAT, Tool("bullnose", 6, corner_radius=1)], ids=str)
 def test_rapid_into_round_slot_only_touches_its_chords(tool):
-    """Between two chord ends of the circle, the tool's side cuts up to 0.01 mm of the wall. This is not a crash."""
+    """Between two chord ends of the circle, the tool's side cuts up to 0.01 mm of the wall, which is not a crash."""
     circle = [
         ("G0", {"X": 10, "Y": 0, "Z": 5}),
         ("G1", {"Z": -2, "F": 10}),

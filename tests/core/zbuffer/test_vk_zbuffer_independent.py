@@ -31,7 +31,7 @@ CLEARANCE = 2e-4
 BETWEEN = (0.1, 0.3, 0.5, 0.7, 0.9)
 # Differences of depths up to this are rounding, mm.
 NOISE = 1e-7
-# Number of halvings of a move in the search for the lowest height. They leave a stretch of 1e-5 mm.
+# Number of halvings of a move in the search for the lowest height. The halvings leave a stretch of 1e-5 mm.
 HALVINGS = 24
 
 
