@@ -53,7 +53,7 @@ TRUTH = {
 
 
 class Part:
-    """A job on one part. It creates one operation after the other and keeps only the records."""
+    """A job on one part. The class creates one operation after another and keeps only their records."""
 
     def __init__(self, name, out, counts):
         self.name, self.out, self.counts = name, out, counts

@@ -65,7 +65,7 @@ class Watched:
 
 
 class Remembered:
-    """A function with a cache. It is called again only if a threshold that it has read was changed."""
+    """A function with a cache. The function is called again only if a threshold that it has read was changed."""
 
     def __init__(self, function) -> None:
         self.function = function

@@ -133,7 +133,7 @@ def analyze(
 def _estimate_shown(
     rows: list[OperationReport], wholes: list[list[OperationReport]], simulators: tuple[str, ...], going_on: Callable
 ) -> None:
-    """Compute the costs that will be shown. Otherwise they would be computed when a window first shows them."""
+    """Compute the costs that will be shown, so that they are not computed when a window first shows them."""
     of_jobs = [
         together([o.costs for o in whole], labels=[o.label for o in whole], stepover=None)[0] for whole in wholes
     ]
@@ -173,7 +173,7 @@ def _in_thread(work: Callable, cancelled: Callable[[], bool] | None):
 
 
 def _row(reading: Reading, chosen: Preferences, conditions: Conditions, going_on: Callable) -> OperationReport:
-    """Return the row of one operation. The row reports an unexpected error, so that all other rows are computed."""
+    """Return the report's row for one operation. The row reports an unexpected error, so other rows are computed."""
     if reading.error is not None:
         return _failed(reading, reading.error)
     try:
@@ -280,11 +280,11 @@ def _misfits(
 
 
 def _failed(reading: Reading, error: Exception) -> OperationReport:
-    """Return the row of an operation whose analysis failed."""
+    """Return the report's row for an operation whose analysis failed."""
     return _unknown(reading, Message("not-analysed", error=f"{type(error).__name__}: {error}"))
 
 
 def _unknown(reading: Reading, why: Message) -> OperationReport:
-    """Return the row of an operation without results, with the reason."""
+    """Return the report's row for an operation without results, with the reason."""
     fingerprint = fingerprint_of("", reading.setting_fingerprint)
     return without_results(why, fingerprint=fingerprint, **{name: getattr(reading, name) for name in IDENTITY})

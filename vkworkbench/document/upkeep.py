@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Keep marks up to date: watch all documents, and analyse changed operations again if the preferences ask for it."""
+"""Keep marks in the tree up to date: watch documents, and analyse changed operations again if the user wants it."""
 
 from __future__ import annotations
 

@@ -99,7 +99,7 @@ def _extend(workbench, menu: str) -> None:
 
 
 class _OpenedDocuments:
-    """Compares the marks of a document with its operations after the document was opened.
+    """Compares the marks in the tree of a document with its operations after the document was opened.
 
     Afterwards the watcher keeps the marks up to date. A document is only compared again after new objects were added,
     because new objects can be copies with marks.

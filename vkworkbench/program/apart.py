@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyse each program in a separate process, so that a crash or an endless analysis affects only one file."""
+"""Analyse each NC program in a separate process, so that a crash or an endless analysis affects only one file."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Report the progress of the analysis of many files, with the remaining time."""
+"""Report the progress of analysing many NC programs, with the remaining time."""
 
 from __future__ import annotations
 

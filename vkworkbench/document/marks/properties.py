@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The properties of a mark: a hidden property with all data, and visible properties. This module does not import numpy.
+"""The properties of a mark in the tree: hidden with all data, and visible. This module does not import numpy.
 
 All properties are read-only outputs, because FreeCAD recomputes an object after a change of an ordinary property.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The data of a mark: enough to explain the result, to follow the preferences, and to compute the total of a job."""
+"""The data of a mark in the tree, which explain the result, follow the preferences, and give the total of a job."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Watch documents, and make a mark outdated when the path, tool or stock of its operation changes.
+"""Watch documents, and make a mark in the tree outdated when the path, tool or stock of its operation changes.
 
 FreeCAD reports every changed property. The watcher collects relevant changes, and compares the marks with their
 operations when the recompute, undo or redo is over. Changes while a document is being opened are ignored. Marks of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The add-on's docks at the bottom of FreeCAD's window. They are tabs, because they do not fit side by side."""
+"""The add-on's docks at the bottom of FreeCAD's window. The docks are tabs, because they do not fit side by side."""
 
 from __future__ import annotations
 

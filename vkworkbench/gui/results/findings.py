@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results of a document: its marks, and the full reports of operations that were analysed in this session."""
+"""The results of a document: its marks in the tree, and full reports of operations analysed in this session."""
 
 from __future__ import annotations
 
