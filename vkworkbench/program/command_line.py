@@ -25,7 +25,7 @@ from vkworkbench.program.simulate_command import add_options, check_options, sim
 from vkworkbench.report import OperationReport, cells_of, files_left_out, how_many, printable
 from vkworkbench.worker import processes
 
-_WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses
+_WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses of the command
 _CONNECT = 30  # time limit for connecting to a Dask scheduler, s
 _AHEAD = 4  # number of files that are submitted in advance for each process
 _STANDARD_OUTPUT = "-"
@@ -267,7 +267,7 @@ def _analyzed(
             if not pending:
                 return
             ready = wait(pending, return_when=FIRST_COMPLETED).done
-            for future in [future for future in pending if future in ready]:  # in the order of submission
+            for future in [future for future in pending if future in ready]:  # this is the order of submission
                 path = pending.pop(future)
                 yield path, _rows(path, future)
     finally:

@@ -84,7 +84,7 @@ def _in_folder(folder: Path, left_out: list[Path]) -> Iterator[Path]:
     walked: set[str] = set()
     for root, folders, names in os.walk(folder, onerror=closed.append, followlinks=True):
         place = os.path.realpath(root)
-        if place in walked:  # a link to a parent folder
+        if place in walked:  # the folder is a link to a folder that was searched before
             folders.clear()
             continue
         walked.add(place)

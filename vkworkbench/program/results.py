@@ -55,7 +55,7 @@ def _lock(file: io.FileIO | BinaryIO) -> None:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except (BlockingIOError, PermissionError):
         raise BlockingIOError(errno.EAGAIN, "another command is writing it") from None
-    except OSError:  # a file system without locks
+    except OSError:  # the file system has no locks
         pass
 
 
@@ -144,13 +144,13 @@ class Results:
             self._file = sys.stdout.buffer
         else:
             self._file = open(path, "wb", buffering=0, opener=_open_untruncated)
-            if os.path.isfile(path):  # not a pipe or a device
+            if os.path.isfile(path):  # the path is not a pipe or a device
                 self._begin(path, resume=resume)
         if not self.done:
             try:
                 self._write(form.header)
             except BaseException:
-                self.close()  # otherwise the file stays locked
+                self.close()  # without this call, the file stays locked
                 raise
 
     def _begin(self, path: str, *, resume: bool) -> None:

@@ -215,7 +215,7 @@ def _of_document(document) -> Iterator[Operation]:
     for obj in document.Objects:
         if is_operation(obj):
             job = job_of(obj)
-            yield from _with_bases(obj, job, counted=job is None)  # a job posts the operations of its group
+            yield from _with_bases(obj, job, counted=job is None)  # a job posts all operations in its group
 
 
 def _of_object(obj, jobs: dict) -> Iterator[Operation]:

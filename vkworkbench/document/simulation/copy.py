@@ -60,7 +60,7 @@ class _Copied:
     placement: object
     tool: Tool | None
     vertical_feed: float
-    allowed_depth: float  # see `Cut`
+    allowed_depth: float  # the attribute of `Cut` with this name
     simplified: Message | None  # the remark that a simpler shape is simulated instead of the tool
     no_tool: Message | None  # why the tool is unknown
 

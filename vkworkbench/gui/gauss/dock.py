@@ -224,7 +224,7 @@ class GaussMapDock(QDockWidget):
             self._ended(error)
             return
         self.chooser.blockSignals(True)
-        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))  # shown until now
+        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))  # the area that is still shown
         self.chooser.blockSignals(False)
         self.saver.setEnabled(True)
 
@@ -287,7 +287,7 @@ class GaussMapDock(QDockWidget):
         """Return the colour of the background behind the plots, which a palette or a style sheet determines."""
         image = QImage(1, 1, QImage.Format_RGB32)
         image.fill(self._body.palette().color(QPalette.Window))
-        corner = self._body.mapTo(self, QPoint(2, 2))  # a point in the empty margin
+        corner = self._body.mapTo(self, QPoint(2, 2))  # this point is in the empty margin
         self.render(image, QPoint(0, 0), QRegion(corner.x(), corner.y(), 1, 1))
         return image.pixelColor(0, 0)
 

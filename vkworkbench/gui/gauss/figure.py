@@ -72,7 +72,7 @@ class GaussFigure:
         self._width = width
         line = text.height()
         left, right, below = 62.0, 8.0, line + 6.0
-        above = 2 * line + 4.0  # the graph's legend
+        above = 2 * line + 4.0  # room for the graph's legend
         height -= top
         if width > _WIDE * height or height < 2 * self.min_height(text):
             each = (width - 2 * _GAP) / 3.5

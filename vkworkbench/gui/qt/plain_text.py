@@ -97,7 +97,7 @@ class WholeText(QObject):
 
     def fit(self) -> None:
         """Adapt the label's height to its text and width."""
-        self._label.setMinimumHeight(0)  # otherwise the label never shrinks
+        self._label.setMinimumHeight(0)  # without this call, the label never shrinks
         self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
 
 

@@ -46,7 +46,7 @@ def calibrate(parent: QWidget) -> None:
     OSError
         If the user data folder cannot be written.
     """
-    from vkworkbench.document.computer import calibration  # loads numpy
+    from vkworkbench.document.computer import calibration  # this import loads numpy
 
     text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
     progress = _Progress(translate("VkPreferences", "Calibrate"), text, parent)

@@ -38,7 +38,7 @@ from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.results.rows import Row, rows_of
 from vkworkbench.report import Cancelled, is_switched_off
 
-_MAX_WIDTH = {"operation": 260, "warnings": 420, "notes": 420}  # px; the tooltip shows a longer text in full
+_MAX_WIDTH = {"operation": 260, "warnings": 420, "notes": 420}  # px; tooltips show longer texts in full
 _MIN_LINES = 3  # minimum height of tree and details, in lines of text
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 
-_DIGITS = 4  # digits of a shown length
+_DIGITS = 4  # number of digits of a shown length
 
 
 class Measuring:

@@ -63,8 +63,8 @@ def action(buttons, modifiers) -> str | None:
     return next((what for b, m, what in style if buttons == b and modifiers == m), None)
 
 
-_TURN_SPEED = 0.008  # rad for each pixel of the mouse
-_ZOOM = 1.2  # factor for each notch of the wheel
+_TURN_SPEED = 0.008  # angle by which the view turns for each pixel of mouse motion, rad
+_ZOOM = 1.2  # zoom factor for each notch of the mouse wheel
 _RING = 14  # radius of the ring around a shown place, px
 _MARGIN = 1.06  # size of the image, as a multiple of the size of the stock
 _SCALE, _SCALE_GAP = 120, 8  # maximum length of the scale bar, and its distance from the corner, px
@@ -124,7 +124,7 @@ class PartView(QWidget):
         self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
-        self.setBackgroundRole(QPalette.Base)  # so that a theme's style sheet sets the background
+        self.setBackgroundRole(QPalette.Base)  # with this role, a theme's style sheet sets the background
         self.setAccessibleName(translate("Vk_Simulate", "Simulated Part"))
 
     @property
@@ -175,7 +175,7 @@ class PartView(QWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # otherwise the traceback of an error keeps the painter alive
+            painter.end()  # without this call, the traceback of an error keeps the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))
@@ -191,7 +191,7 @@ class PartView(QWidget):
             column, row, _ = project(np.array([self._place_shown]), wanted)[0]
             painter.setRenderHint(QPainter.Antialiasing)
             painter.setBrush(Qt.NoBrush)
-            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # two rings, visible on any surface
+            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # two rings are visible on any surface
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
         if self._measured:

@@ -247,7 +247,7 @@ class Pictures(QObject):
         self._smoothing = Background(self, _LOOK)
         self._rest = single_shot(self._smooth, self, _REST)
         self._changed = False  # whether moment, view or settings have changed since the last picture was begun
-        self._legend: Callable[[], Entries] | None = None  # the shown legend
+        self._legend: Callable[[], Entries] | None = None  # the legend that is shown
 
     @property
     def is_current(self) -> bool:

@@ -34,7 +34,7 @@ _CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to botto
 _MIN_CURVE = 12  # minimum height of the curve, px
 _MARK = 5.0  # px; half the width of a warning triangle
 _APART = 5  # px; lines separate the trajectories if their mean width is larger than this
-_ZOOM = 1.4  # factor for each notch of the wheel
+_ZOOM = 1.4  # zoom factor for each notch of the mouse wheel
 _MAX_WARNINGS = 10  # upper limit for the number of warnings in a tooltip
 _MIN_SPAN = 1e-6  # smallest time range to which the user can zoom, as a share of the job's time
 # Step of each key, as a share of the job's time.
@@ -101,7 +101,7 @@ class TimeLine(KeyedWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.total, self.seconds = 0.0, 0.0
-        self._begin, self._end = 0.0, 0.0  # the visible range, s
+        self._begin, self._end = 0.0, 0.0  # the visible time range, s
         self._pressed: QPoint | None = None
         self._blocks: tuple[Block, ...] = ()
         self._warned: tuple[Warned, ...] = ()
@@ -113,7 +113,7 @@ class TimeLine(KeyedWidget):
         self.setMinimumHeight(_MIN_CURVE + _AIR + _BLOCKS + _BELOW)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Maximum)
         self.setFocusPolicy(Qt.StrongFocus)
-        self.setBackgroundRole(QPalette.Base)  # so that a theme's style sheet sets the background
+        self.setBackgroundRole(QPalette.Base)  # with this role, a theme's style sheet sets the background
         self.setMouseTracking(True)
         self.setAccessibleName(translate("Vk_Simulate", "Time Line"))
 
@@ -181,7 +181,7 @@ class TimeLine(KeyedWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # otherwise the traceback of an error keeps the painter alive
+            painter.end()  # without this call, the traceback of an error keeps the painter alive
 
     def _paint(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.Antialiasing)

@@ -49,7 +49,7 @@ class KeyedWidget(QWidget):
 
     def event(self, event) -> bool:
         if event.type() == QEvent.ShortcutOverride and event.key() in self.keys:
-            event.accept()  # otherwise FreeCAD runs its own shortcut for the key
+            event.accept()  # without this call, FreeCAD runs its own shortcut for the key
             return True
         return super().event(event)
 
@@ -172,7 +172,7 @@ class Legend(QWidget):
     def _fit(self) -> None:
         """Set the height of the legend to the height of its lines."""
         lines = max((place.bottom() for _, place, _ in self._places()), default=0)
-        self.setFixedHeight(max(round(lines), self._line))  # at least as high as one line
+        self.setFixedHeight(max(round(lines), self._line))  # the legend is at least as high as one line
 
     def _places(self) -> list[tuple[str, QRectF, str]]:
         """Return each colour with the rectangle of its entry and its name, shortened to the width of the legend."""

@@ -58,7 +58,7 @@ def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:
 
     FreeCAD's command "Fit all" ignores the nodes.
     """
-    node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # a node class of FreeCAD
+    node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # FreeCAD defines this node class
     node.getField("mode").set("EXCLUDE_BBOX")
     root = coin.cast(node, "SoGroup")
     root.setName("VkLegend")

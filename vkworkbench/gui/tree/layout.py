@@ -174,7 +174,7 @@ def pill_text(record: Record) -> str:
     """Return the text of a mark's pill, in the user's language."""
     if record.strategy is None:
         one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
-        times = f" x{record.fixtures}" if record.fixtures > 1 else ""  # posted for several work offsets
+        times = f" x{record.fixtures}" if record.fixtures > 1 else ""  # a job with several work offsets
         return (one if record.operations == 1 else more).format(user().count(record.operations)) + times
     name = kind_of(record)
     return f"{name} {user().share(record.confidence)}" if is_unsure(record) else name

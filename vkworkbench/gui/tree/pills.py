@@ -115,7 +115,7 @@ def _paint_filled(painter, where: QRectF, piece) -> None:
     painter.setBrush(QColor(piece.color))
     painter.drawRoundedRect(where, where.height() / 3, where.height() / 3)
     painter.setPen(QColor(piece.ink))
-    room = int(where.width() - where.height() / 3)  # without the round ends
+    room = int(where.width() - where.height() / 3)  # width of the pill without its round ends
     painter.drawText(where, Qt.AlignCenter, painter.fontMetrics().elidedText(piece.text, Qt.ElideRight, room))
 
 
