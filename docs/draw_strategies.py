@@ -3,9 +3,9 @@
 
     python3 docs/draw_strategies.py          # writes docs/pictures/strategies/*.svg
 
-The toolpaths come from toolpaths/synthetic.py. If one is not recognised as its strategy, nothing is written.
-The view is from the front, from above and a little from the side. Cutting moves have the strategy's colour, which is visible
-on light and dark pages; rapids are grey and dashed.
+The toolpaths come from toolpaths/synthetic.py. If a toolpath is not recognised as its strategy, the script writes
+nothing. The view is from the front, from above and a little from the side. Cutting moves have the strategy's colour,
+which is visible on light and dark pages; rapids are grey and dashed.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from toolpaths import synthetic
 from vkworkbench.core import Strategy, Toolpath, linearize, recognize
 
 FOLDER = ROOT / "docs/pictures/strategies"
-WIDTH, HEIGHT, MARGIN = 240, 180, 6  # of a picture
-TURN, RISE = np.radians(20), np.radians(40)  # of the eye, from the front and from the horizon
-NEAR = 1.5  # in the image: points closer than this are not distinguishable
+WIDTH, HEIGHT, MARGIN = 240, 180, 6  # size and margin of a picture
+TURN, RISE = np.radians(20), np.radians(40)  # angles of the viewer from the front and from the horizon
+NEAR = 1.5  # points in the image that are closer than this are drawn as one point
 RAPID = "#8a8a8a"
-# A maker of toolpaths, and the seed whose path shows the pattern best.
+# For each strategy, a function that makes toolpaths, and the seed whose path shows the pattern best.
 MADE = {
     Strategy.ZIGZAG: (synthetic.zigzag, 5),
     Strategy.ONE_WAY: (synthetic.one_way, 5),
@@ -43,14 +43,14 @@ MADE = {
 
 
 def seen(points: np.ndarray) -> np.ndarray:
-    """Where points, (n, 3), lie in the image, (n, 2): x to the right, y down."""
+    """Return the positions (n, 2) of points (n, 3) in the image, x to the right and y down."""
     x, y, z = points.T
     c, s = np.cos(TURN), np.sin(TURN)
     return np.column_stack([c * x + s * y, -(np.sin(RISE) * (c * y - s * x) + np.cos(RISE) * z)])
 
 
 def thinned(points: np.ndarray) -> list[np.ndarray]:
-    """Return points (n, 2) without the inner points that are at most NEAR from the last point kept."""
+    """Return points (n, 2) without the inner points at a distance of at most NEAR from the preceding kept point."""
     kept = [points[0]]
     for point in points[1:-1]:
         if np.hypot(*(point - kept[-1])) > NEAR:
@@ -59,7 +59,7 @@ def thinned(points: np.ndarray) -> list[np.ndarray]:
 
 
 def drawn(path: Toolpath, color: str) -> str:
-    """The picture of a toolpath as SVG, from its first cutting move to its last."""
+    """Return the picture of a toolpath as SVG, from its first to its last cutting move."""
     first, last = np.flatnonzero(~path.rapid)[[0, -1]]
     points, rapid = seen(path.points[first : last + 2]), path.rapid[first : last + 1]
     low, size = points.min(axis=0), np.ptp(points, axis=0)

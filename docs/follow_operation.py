@@ -57,13 +57,13 @@ M30
 
 
 def print_commands() -> None:
-    """The program as FreeCAD's commands."""
+    """Print the NC program as commands of FreeCAD."""
     for name, parameters in read_program(PROGRAM).commands:
         print(f"{name:4}", " ".join(f"{letter}{value:g}" for letter, value in parameters.items()))
 
 
 def print_toolpath() -> None:
-    """The trajectories, one per line."""
+    """Print the trajectories, one in each line."""
     toolpath = read_program(PROGRAM).toolpath()
     print("from (mm)             to (mm)               line  kind")
     for number in range(len(toolpath)):
@@ -73,7 +73,7 @@ def print_toolpath() -> None:
 
 
 def print_areas() -> None:
-    """Alpha, turning and phi of each move, and the signature of the area."""
+    """Print alpha, turning and phi of each move, and the strategy by the paper's rule."""
     areas = monotonous_areas(read_program(PROGRAM).toolpath())
     print(f"areas: {len(areas.start)}, moves: {len(areas)}")
     print("move  length/mm  alpha/deg  turning/deg  phi/deg")
@@ -85,7 +85,7 @@ def print_areas() -> None:
 
 
 def print_pieces() -> None:
-    """Loops and rings of the section."""
+    """Print the pieces of the areas, and the share of nested rings."""
     section = _section()
     pieces = section.pieces
     print("piece  kind     moves  length/mm")
@@ -96,13 +96,13 @@ def print_pieces() -> None:
 
 
 def print_rules() -> None:
-    """The proposal of the rules."""
+    """Print the strategy that the rules propose."""
     verdict = judge_section(_section())
     print(f"strategy: {verdict.strategy.value}\nreason: {render(verdict.seen)}")
 
 
 def print_measures() -> None:
-    """The first measures."""
+    """Print the first measures."""
     measures = measure_section(_section())
     print(f"{len(measures)} measures, among them:")
     for name in list(measures)[:8]:
@@ -110,7 +110,7 @@ def print_measures() -> None:
 
 
 def print_votes() -> None:
-    """The shares of the trees' votes, the largest first."""
+    """Print the shares of the trees' votes, the largest first."""
     section = _section()
     paper = paper_verdict(section.moves)
     known = features(measure_section(section), judge_section(section).strategy, paper.strategy, tool=section.tool > 0)
@@ -121,7 +121,7 @@ def print_votes() -> None:
 
 
 def print_verdict() -> None:
-    """The recognition."""
+    """Print the recognised strategy."""
     recognition = recognize(read_program(PROGRAM).toolpath(), tool_diameter=TOOL_DIAMETER)
     print(f"strategy: {recognition.strategy.value}\nconfidence: {recognition.confidence:.2f}")
     print(f"reason: {recognition.reason}")
@@ -129,7 +129,7 @@ def print_verdict() -> None:
 
 
 def print_row() -> None:
-    """The row of the report, without the times, which depend on the computer."""
+    """Print a part of the report's row, without the simulators' times, which depend on the computer."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "pocket.nc")
         file.write_text(PROGRAM, encoding="utf-8")

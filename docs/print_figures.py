@@ -8,10 +8,11 @@ By default, DOCUMENTS are docs/*.md and README.md. A pair of comments is
     <!-- printed by: python3 benchmarks/literal.py -->
     <!-- end -->
 
-and the command and its output are written between them. A shell runs the command at the top of the checkout (`| tail -n 5` takes a
-part). Lines that begin with | are a table of the document, others are shown as they are. --only runs the commands that contain
-a TEXT, --list prints them. A command that fails leaves its place as it was, and the status is 1: `$FILES` stands for
-toolpaths that are not in the repository, and fails where it is not set.
+and the script writes the command and its output between the two comments. A shell runs the command at the top of the
+checkout (`| tail -n 5` takes a part). Output that begins with | becomes a table of the document, other output a block
+of text. --only runs only the commands that contain TEXT, and --list prints the commands without running them. If a
+command fails, its place in the document stays unchanged, and the exit status is 1. A command with `$FILES`, the names
+of toolpaths that are not in the repository, fails if the variable is not set.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ PLACE = re.compile(r"^<!-- printed by: (?P<command>[^\n]+?) -->\n(?P<text>.*?)^<
 
 
 def documents() -> list[Path]:
-    """All documents that may hold figures."""
+    """Return all documents in which commands can write their output."""
     return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 
 
@@ -50,7 +51,7 @@ def printed(command: str) -> str | None:
 
 
 def main() -> int:
-    """Print and write."""
+    """Run the chosen commands, and write their output into the documents."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("documents", nargs="*", type=Path, default=documents())
     parser.add_argument("--only", default="")
@@ -67,7 +68,7 @@ def main() -> int:
             failed += text is None and not chosen.list
             if text is not None:
                 new = f"<!-- printed by: {command} -->\n{text}<!-- end -->"
-                # Read again: a command may take long, and a document be edited meanwhile.
+                # Read the document again, because a command can take long, and the document can be edited meanwhile.
                 document.write_text(document.read_text(encoding="utf-8").replace(place[0], new), encoding="utf-8")
     return 1 if failed else 0
 

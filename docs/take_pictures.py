@@ -4,7 +4,7 @@
     VKWORKBENCH_SCREENSHOTS=yes tests/run.sh gui 1.0.0
     python3 docs/take_pictures.py
 
-Needs Pillow. docs/draw_strategies.py draws the pictures of the strategies.
+The script needs Pillow. docs/draw_strategies.py draws the pictures of the strategies.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ ROOT = Path(__file__).resolve().parents[1]
 SHOTS = ROOT / "build/tests/trixie/screenshots"
 PICTURES = ROOT / "docs/pictures"
 
-# The parts of the small window with the menu and with the results: left, top, right, bottom, pixels.
+# Parts of a screenshot (left, top, right, bottom, px): the small window, the window with a menu, and the results.
 SMALL, WIDE, RESULTS = (0, 0, 1024, 700), (0, 0, 1280, 700), (466, 434, 1024, 669)
-# Picture: screenshot, and the part of it that is shown if not all is shown.
+# For a picture, its screenshot, and the part of the screenshot that is shown; None for the whole screenshot.
 TAKEN = {
     "panel": ("panel-why", None),
     "warning": ("warning-play", None),
@@ -32,7 +32,7 @@ TAKEN = {
 
 
 def main() -> None:
-    """Take each picture that there is."""
+    """Write each picture that exists in the folder again."""
     for picture in sorted(PICTURES.glob("*.png")):
         name = picture.stem
         shot, box = TAKEN.get(name, (name, SMALL if name.startswith("simulation") else None))
