@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make jobs with one fault each, and sound jobs, and count the faults that a simulation finds.
 
-    python3 benchmarks/zbuffer_faults.py [JOBS [KIND ...]]      # jobs of each kind, 25 by default; four times as many
-    sound jobs freecadcmd "$PWD/benchmarks/zbuffer_faults.py"              # also print the facts on the example job
+    python3 benchmarks/zbuffer_faults.py [JOBS [KIND ...]]      # JOBS of each kind, by default 25
+    freecadcmd "$PWD/benchmarks/zbuffer_faults.py"              # also prints the facts on the example job
 
-Each job cuts a pocket at a random place in a block of 20 to 600 mm, in layers by rows and a contour, with a tool of 0.1
-to 20 mm. Then some holes are drilled and some lines are engraved around the pocket. Each fault has a random place and a
-random size. In the sound jobs, the shanks, holders, clamps and travel are only just sufficient. The benchmark prints
-each job with a wrong result. Then it prints for each kind of fault the number of jobs, the number of jobs in which the
-fault is found with the right operation and command, and the number of jobs in which another fault is found. The jobs of
-each kind depend only on `SEED` and on the kind.
+The number of sound jobs is four times JOBS. Each job cuts a pocket at a random place in a block of 20 to 600 mm, at
+several depths by rows and a contour, with a tool of 0.1 to 20 mm. Then some holes are drilled and some lines are
+engraved around the pocket. Each fault has a random place and a random size. In the sound jobs, the shanks, holders,
+clamps and travel are only just sufficient. The benchmark prints each job with a wrong result. Then it prints for each
+kind of fault the number of jobs, the number of jobs in which the fault is found with the right operation and command,
+and the number of jobs in which another fault is found. The jobs of each kind depend only on `SEED` and on the kind.
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ class Job:
             self.cuts[1:2] = self.holes()
 
     def choose_bodies(self, layers) -> np.ndarray:
-        """Choose the sizes of flutes, shank and holder of the pocket's tool, and return the heights of the layers."""
+        """Choose the sizes of flutes, shank and holder of the pocket's tool, and return the heights of the cuts."""
         rng, fault, diameter = self.rng, self.fault, 2 * self.radius
         depth = self.top - layers[-1]
         thickest = diameter + max(2 * diameter, 0.5)
@@ -141,7 +141,7 @@ class Job:
             "holder_diameter": 3 * thickest,
             "holder_length": 30.0,
         }
-        # A height between two layers. If a shank or holder begins at this height, the lower layer is too deep for it.
+        # A height between two cuts. If a shank or holder begins at this height, the lower cut is too deep for it.
         deep = int(rng.integers(1, len(layers)))
         between = self.top - (layers[deep - 1] + layers[deep]) / 2
         if fault == "shank":
@@ -179,7 +179,7 @@ class Job:
         for number, z in enumerate(layers):
             last = number == len(layers) - 1
             if fault == "rapid plunge" and last:
-                # A place beside the pocket, where the earlier layers have not removed the material.
+                # A place beside the pocket, where the higher cuts have not removed the material.
                 x, y = low[0] - self.radius * rng.uniform(1, 2), low[1]
                 self.made_by = 0, moves.commands + 1
                 moves.rapid(x, y, self.safe)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check the results of run_layers.sh and print a table of FreeCAD versions and layers, and a line with the sums.
+"""Check the results of run_layers.sh; print a table of FreeCAD versions and layers of tests, and a line with the sums.
 
     python3 tests/summary.py RESULTS SUITES...       # a folder with one folder for each Debian suite
 
-Exits with 1 if a test failed, a layer did not end by itself, or FreeCAD swallowed an exception: FreeCAD prints such an
-exception and continues, so only its log has it. A FreeCAD that could not be installed or run is named; it is not a failure.
+Exits with 1 if a test failed, a layer of tests did not end by itself, or FreeCAD swallowed an exception: FreeCAD prints
+such an exception and continues, so only its log has it. A FreeCAD that could not be installed or run is named; it is
+not a failure.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ def in_words(numbers):
 
 
 def duration(folder, layer):
-    """Return the duration of a layer, for example "in 3:05" (minutes and seconds)."""
+    """Return the duration of a layer of tests, for example "in 3:05" (minutes and seconds)."""
     return "in {}:{:02}".format(*divmod(int((folder / f"{layer}.seconds").read_text()), 60))
 
 

@@ -92,7 +92,7 @@ def test_package_declares_oldest_python():
 
 @pytest.mark.long
 def test_document_layer_runs_without_freecad():
-    """Without FreeCAD, the layer can run in the oldest Python: python3.8 tests/stubbed_freecad.py."""
+    """Without FreeCAD, vkworkbench/document can run in the oldest Python: python3.8 tests/stubbed_freecad.py."""
     done = subprocess.run(
         [sys.executable, ROOT / "tests" / "stubbed_freecad.py"], capture_output=True, text=True, timeout=300
     )

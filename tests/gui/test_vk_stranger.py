@@ -25,7 +25,7 @@ def test_new_user_can_follow_the_guide(example_path, tmp_path):
     # The second FreeCAD needs its own screen. On the same screen it would wait for the clipboard of this FreeCAD, which
     # waits for the second FreeCAD to end.
     screen = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -dpi 96 -ac"]
-    # The output goes to the log of this layer, in which tests/summary.py finds swallowed exceptions.
+    # The output goes to the log of this layer of tests, in which tests/summary.py finds swallowed exceptions.
     command = [*screen, "freecad", str(example_path), str(TESTS / "stranger.py")]
     done = subprocess.run(command, env=environment, cwd=tmp_path, stdin=subprocess.DEVNULL, timeout=280, check=False)
     assert done.returncode == 0

@@ -146,7 +146,7 @@ def test_stepover_is_row_distance_or_grid_period():
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
 def test_grid_has_a_stepover_if_one_direction_is_in_rows(downward, stepover):
-    """Two lines lie in every 3 mm. In the family of rows across these lines, no line is followed by its neighbour."""
+    """In one direction, two lines lie in every 3 mm. Across them, no line is followed by its neighbour."""
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [
         [(x, 3.0 * (k // 2) + 0.6 * (k % 2), 0), (u, 3.0 * (k // 2) + 0.6 * (k % 2), 0)]

@@ -19,7 +19,7 @@ ZIGZAG = [(x, 3.0 * row) for row in range(6) for x in ((0.0, 50.0), (50.0, 0.0))
 
 
 def rows_of(commands):
-    """Return the families of rows among all moves."""
+    """Return the families of rows (all rows along one axis) among all moves."""
     moves = monotonous_areas(linearize(commands))
     return find_rows(moves, np.arange(len(moves)))
 

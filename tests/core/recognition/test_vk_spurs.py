@@ -92,7 +92,7 @@ def test_move_back_that_misses_the_start_is_not_a_spur(off, there):
 
 @pytest.mark.parametrize("deep, there", [(0.005, False), (0.015, True)])
 def test_spur_that_goes_down_is_not_a_relief(deep, there):
-    """Down and up again is twice the depth, and 0.02 mm are within the tolerance of one depth."""
+    """A spur down and up again moves by twice its depth. 0.02 mm are within the tolerance of one depth."""
     moves = areas(square(2.0, turned=-deep))
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 

@@ -164,7 +164,7 @@ def test_drawn_tiles_keep_the_total_cost():
 
 
 def test_chance_of_drawing_a_tile_is_at_most_one():
-    """With 3 draws, the first chance would be 3 * 8 / 12 = 2, so it is 1.
+    """With 3 draws, the chance of the first tile would be 3 * 8 / 12 = 2, so it is 1.
 
     The other 2 draws give 2 * 2 / 4 = 1 and 2 * 1 / 4.
     """

@@ -45,7 +45,7 @@ def opened(tool, slope, along, aside, extent, half_run):
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", FORMS, ids=str)
 def test_square_bounds_hold_for_all_points(tool, slope):
-    """Squares lie beside moves, across their ends and rims, inside long moves, and around short moves."""
+    """Squares lie beside moves, across the ends and the edges of sweeps, inside long moves, and around short moves."""
     rng = np.random.default_rng([FORMS.index(tool), SLOPES.index(slope)])
     inside = 0
     for _ in range(40):

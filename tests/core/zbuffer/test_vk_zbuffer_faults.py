@@ -156,7 +156,7 @@ def test_gouge_through_part_is_at_the_model_surface(direction):
 @pytest.mark.long
 @pytest.mark.parametrize("aside", [0, 1, -1])
 def test_missing_stock_is_not_a_gouge_of_cuts_behind_it(aside):
-    """The stock is 2 mm too low. In the oblique view, a slot is visible through the missing rim of the model."""
+    """The stock is 2 mm too low. In the oblique view, a slot is visible through the missing upper edge of the model."""
     low = Stock((-12, -1, 0), (41, 31, 6))
     slot = path([(-4, -5, 12), (-4, -5, 1), (-4, 35, 1), (-4, 35, 12)], rapid=[2])
     view = View((-1, aside, -1), 210, 160)
