@@ -61,7 +61,7 @@ class LOOPS:
     CLOSE = 0.03
     #: share of the side of a square with the area that the path encloses. A path is also closed if the gap between its
     #: end and its start is at most this share of the side. If the value is 0, contours with a gap between lead-in and
-    #: lead-out stay open. If the value is 1, two neighbouring rows count as closed.
+    #: lead-out count as open. If the value is 1, two neighbouring rows count as closed.
     GAP = 0.03
     #: half-turns. An area contains no loop if the range of its phi (sum of the turns) is no larger than the threshold.
     #: If the value is lower, the recognised strategies are the same, but the search for loops also takes time in every

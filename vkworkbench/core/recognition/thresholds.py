@@ -538,16 +538,17 @@ class BITES:
 class ADAPTIVE:
     """Differences between adaptive clearing and a spiral or helix that clears a pocket."""
 
-    #: share of the length. A winding beside which bites have more than this share of the section's length is adaptive
-    #: clearing that also clears corners. With the value 1, adaptive clearing by FreeCAD is recognised as a spiral.
+    #: share of the length. If bites have more than this share of the section's length, a winding beside the bites is
+    #: adaptive clearing that also clears corners. With the value 1, adaptive clearing by FreeCAD is recognised as a
+    #: spiral.
     BITES = 0.03
     #: share of the length. A winding is adaptive clearing if the tool enters along a helix with more than this share of
     #: the section's length, unless the turns of the winding are evenly spaced circles. With the value 1, adaptive
     #: clearing in real programs is recognised as a spiral.
     ENTRY = 0.005
-    #: share of the length. A winding beside which open strokes have more than this share of the section's length is not
-    #: a spiral. With the value 0, spirals are recognised as adaptive clearing. With the value 1, adaptive clearing of
-    #: which a third is open strokes is recognised as a spiral.
+    #: share of the length. If open strokes have more than this share of the section's length, a winding beside the
+    #: strokes is not a spiral. With the value 0, spirals are recognised as adaptive clearing. With the value 1,
+    #: adaptive clearing with a third of its length in open strokes is recognised as a spiral.
     STROKES = 0.3
 
 

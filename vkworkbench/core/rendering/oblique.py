@@ -217,7 +217,7 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
 
 
 def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Return the first step visible in each pixel if the columns end at different heights, (height, width) int32.
+    """Return each pixel's first visible step if the columns end at different heights, (height, width) int32.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ LIT = np.array((255, 170, 40), np.uint8)
 # Difference in depth between neighbouring pixels above which a dark edge is drawn, as a multiple of a pixel's side.
 # Lower: steep slopes get dark edges. Higher: small steps of the part get no edge.
 _JUMP = 8.0
-# Brightness of the lines that stand for cuts narrower than the cells.
+# Brightness of the lines that are drawn for cuts narrower than the cells.
 _THIN = 0.65
 # Lower limit for the sine of the view's elevation, by which a tolerance is divided when the depth of a narrow cut is
 # compared with the visible surface.

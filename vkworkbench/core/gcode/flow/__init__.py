@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Calculate expressions, and follow the loops, conditions and calls of an NC program.
 
-The input is the lines of a program's text. `Flow.step` performs the macro statement of a program line. It returns the
-line with numbers in place of variables and expressions, and the index of the next line. `Subprograms` finds programs
-and blocks by their numbers. `arguments` returns the variables that a macro call sets. The exception `Ended` contains
-the reason why the rest of a program cannot be followed.
+The input is the lines of a program's text. `Flow.step` performs the macro statement of a program line. `Flow.step`
+returns the line with numbers in place of variables and expressions, and the index of the next line. `Subprograms` finds
+programs and blocks by their numbers. `arguments` returns the variables that a macro call sets. The exception `Ended`
+contains the reason why the rest of a program cannot be followed.
 """
 
 from vkworkbench.core.gcode.flow.ended import Ended

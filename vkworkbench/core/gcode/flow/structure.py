@@ -64,7 +64,8 @@ class Structure:
     Attributes
     ----------
     blocks : dict of int to Block
-        For the index of each line that begins, divides or ends a block, or that leaves or continues a loop: the block.
+        The block of each line that begins, divides or ends a block, or that leaves or continues a loop, by the index of
+        the line.
     subprograms : dict of str to Block
         Subprograms, by the labels of the O-words that define the subprograms.
     """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Handle the G-codes of dwells, of calls, and of moves whose G-code is in force for one line only.
 
-The moves for one line are probes, threads and splines. Calls are reported as not read.
+The moves whose G-code is in force for one line only are probes, threads and splines. Calls are reported as not read.
 """
 
 from __future__ import annotations

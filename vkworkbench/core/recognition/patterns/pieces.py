@@ -24,8 +24,8 @@ class Pieces:
     start, end : (k,) int
         The moves of piece i are start[i] .. end[i] - 1.
     kind : (k,) int
-        LOOP: closed, with a net turn of 2 pi. WINDING: one of several consecutive turns. ZIGZAG: back and forth, with
-        half-turns of alternating sign between its passes. STROKE: any other piece.
+        LOOP: closed, with a net turn of 2 pi. WINDING: one turn of a stretch of several full turns. ZIGZAG: back and
+        forth, with half-turns of alternating sign between its passes. STROKE: any other piece.
     area : (k,) int
         Monotonous area of each piece.
     length : (k,) float

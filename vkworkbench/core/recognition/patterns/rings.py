@@ -44,7 +44,7 @@ class Rings:
     crossing : array
         Whether a ring of another shape has the same box, like the passes of a lattice from wall to wall.
     alone : array
-        Whether the ring is neither nested, deeper, repeated, moved nor crossing.
+        Whether none of the relations nested, deeper, repeated, moved and crossing applies to the ring.
     winding, round, sloped : array
         Whether the ring is a turn of a winding; whether it is a circle; whether its height changes steadily.
     back : (k,) float

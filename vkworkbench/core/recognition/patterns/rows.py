@@ -26,7 +26,7 @@ class Rows:
     length : float
         Length of all passes, mm.
     typical : float
-        Length of a pass (median by length), mm.
+        Median length of the passes, weighted by length, mm.
     count : int
         Number of rows.
     lines : int
@@ -207,7 +207,7 @@ class _Passes(NamedTuple):
     place, height : (p,) float
         Position across the axis, and mean height, mm.
     typical : float
-        Length of a pass (median by length), mm.
+        Median length of the passes, weighted by length, mm.
     """
 
     first: np.ndarray

@@ -262,7 +262,7 @@ class Section:
         Returns
         -------
         float
-            Share of the rows' length inside a ring, which is the contour of their walls.
+            Share of the rows' length inside a ring, which is the contour of the walls around the rows.
         float
             Share of the rings' length in contours of islands: level rings that are not nested and lie amid rows.
         """

@@ -66,7 +66,7 @@ def _sculptured(moves: Areas) -> bool:
 def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
     """Return whether plunges at different places reach several depths of the milling.
 
-    Such plunges are contours of a surface, clipped to a point.
+    Plunges at several depths of the milling are contours of a surface, clipped to a point.
     """
     bottom = toolpath.points[moves.holes + 1]
     depth = number_depths(np.concatenate([bottom[:, 2], moves.z[moves.start]]))

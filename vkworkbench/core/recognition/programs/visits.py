@@ -230,7 +230,7 @@ def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
 
 
 def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
-    """Return the trajectories at which another operation can begin, with probabilities, from the motion alone.
+    """Return the trajectories at which another operation can begin, with probabilities computed from the motion alone.
 
     Programs do not mark their operations, and there are also retracts within an operation. A retract to the top height
     is a border only if feed, ground, depths or pattern change as between operations. A model learned from programs

@@ -46,8 +46,8 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
         if np.isfinite(rings.step) and verdict.strategy is not Strategy.PROFILE:
             stepover = rings.step
             if sense and max(rings.growing, 1 - rings.growing) > RINGS.ONE_WAY:
-                # In climb milling, uncut material is on the right of the tool: outside a growing counter-clockwise
-                # loop.
+                # In climb milling, uncut material is to the right of the tool. If counter-clockwise loops grow
+                # outwards, the uncut material outside the loops is to the right.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
         # In a grid, consecutive rows need not be neighbours, so that the period is the stepover.

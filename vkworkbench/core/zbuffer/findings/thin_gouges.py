@@ -42,8 +42,8 @@ _WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Side of the grid cells by which points are grouped, as a multiple of the distance between neighbouring points. Points
 # in the same cell or in neighbouring cells belong to one gouge.
 _CLOSE = 4.0
-# Approximate upper bounds for the number of points that are compared with the model. _POINTS: in one batch of pieces.
-# _OF_OWNER: of one trajectory in a batch.
+# Approximate upper bounds for the number of points that are compared with the model. _POINTS: number of points in one
+# batch of pieces. _OF_OWNER: number of points of one trajectory in a batch.
 _POINTS, _OF_OWNER = 20_000, 2000
 # Approximate upper bound for the number of points of a gouge at which the depth is measured.
 _MEASURED = 200

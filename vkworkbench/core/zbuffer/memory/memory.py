@@ -243,8 +243,8 @@ def _most_records(removal: Removal) -> float:
     across = np.minimum(right, half[0]) - np.maximum(left, -half[0]) + 1
     up = np.minimum(top, half[1]) - np.maximum(bottom, -half[1]) + 1
     passes = float((np.maximum(across, 0) * np.maximum(up, 0)).sum())
-    # An interval that is removed from inside a piece turns one piece into three, so it adds two records. In a vertical
-    # view each interval reaches one end of the ray, so it adds one record.
+    # An interval that is removed from inside a piece turns one piece into three, so the interval adds two records
+    # (pieces of rays). In a vertical view, each interval reaches one end of the ray, so the interval adds one record.
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 

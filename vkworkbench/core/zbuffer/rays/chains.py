@@ -120,7 +120,7 @@ def cut_by_removing(
     offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
     # `open_near` and `open_far` are the ends of the ray's gap before each interval is removed. For the first interval
-    # of a ray, they are the ends of the interval itself.
+    # of a ray, `open_near` and `open_far` are the ends of this interval.
     rising, falling = leave + offset, enter - offset
     open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])
     open_near = before_in_group(np.minimum.accumulate(falling), start, falling[start])
@@ -172,7 +172,7 @@ def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[n
 def _pieces_from_near_end(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
 ) -> Pieces:
-    """Return the pieces of rays whose intervals all begin at the near end; each ends deeper than the one before."""
+    """Return the pieces of rays whose intervals all begin at the near end and end at increasing depths."""
     end = near.copy()
     end[ray] = leave  # the last interval of each ray
     whole = end < far

@@ -82,7 +82,7 @@ class Records:
         return ends
 
     def blocks(self) -> Iterator[tuple[int, int, Records]]:
-        """Yield the image in batches: the first pixel, the first piece, and the records of the batch as views."""
+        """Yield the image in batches: first pixel, first piece, and records (pieces of rays) of the batch as views."""
         pieces = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))
         pixels = np.unique(np.append(np.searchsorted(self.index[1:], pieces, side="right"), len(self.entry)))
         for pixel, end in zip(pixels[:-1].tolist(), pixels[1:].tolist()):

@@ -63,7 +63,7 @@ class Removal(Trajectories):
         Each range contains as many rays as `_PAIRS_HELD` allows.
         """
         groups = -(-len(x) // GROUP)
-        # The last group is padded with copies of the last ray.
+        # The last group of rays is padded with copies of the last ray.
         padded = np.minimum(np.arange(groups * GROUP), len(x) - 1).reshape(-1, GROUP)
         gx, gy = x[padded], y[padded]
         group, item = self.meeting(gx.min(axis=1), gx.max(axis=1), gy.min(axis=1), gy.max(axis=1))
@@ -81,7 +81,7 @@ class Removal(Trajectories):
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the pairs of a ray and a trajectory that can meet, sorted by ray and then by trajectory."""
         # Each group of rays has one column, so that numpy's inner loops run along the pairs of a group and a
-        # trajectory. The last group is padded with NaN.
+        # trajectory. The last group of rays is padded with NaN.
         gx, gy = np.full((2, -(-len(x) // GROUP) * GROUP), np.nan)
         gx[: len(x)], gy[: len(x)] = x, y
         gx, gy = gx.reshape(-1, GROUP).T, gy.reshape(-1, GROUP).T

@@ -114,7 +114,7 @@ class Surface:
 
     @cached_property
     def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The prefix maxima along the rays: their owners, their pieces, and the first maximum of each pixel."""
+        """The prefix maxima along the rays: their trajectories, their pieces, and the first maximum of each pixel."""
         records = self.records
         first = np.zeros(len(records.entry) + 1, np.int64)
         owners, pieces = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)
@@ -134,7 +134,7 @@ class Surface:
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """The pixels of all prefix maxima, sorted by owner, and before them the position of each owner's first pixel.
+        """The position of each trajectory's first pixel, and the pixels of all prefix maxima, sorted by trajectory.
 
         The pixels are sorted by a counting sort in batches.
         """

@@ -133,8 +133,8 @@ def _walls(
     """Return the walls between pixels that are neighbours along an axis of the image (0: in a row, 1: in a column)."""
     at, along = (column, row) if axis == 0 else (row, column)
     ranks, lines = size[2], size[1 - axis]
-    # For each edge between two pixels and each depth, the dexels of the pixel before the edge count 1, and the dexels
-    # of the pixel after the edge count -1. A wall is needed at all depths at which the sum is not 0.
+    # For each edge between two pixels and each depth, each dexel of the pixel before the edge adds 1, and each dexel of
+    # the pixel after the edge subtracts 1. A wall is needed at all depths at which the sum is not 0.
     edge = np.concatenate(((at + 1) * lines + along, at * lines + along))
     count = np.repeat([1, -1], len(near))
     key = np.concatenate((edge * ranks + np.tile(near, 2), edge * ranks + np.tile(far, 2)))

@@ -153,7 +153,7 @@ class Machine:
         self.pole: dict[str, float] = {}
 
     def problem(self, what: Message, line: int | None = None) -> None:
-        """Store a message on a part of the program that is not read, for a line or by default the current line."""
+        """Store a message on a part of the program that is not read, with its line (by default the current line)."""
         self.problems.setdefault(what, []).append(self.number if line is None else line)
 
     @property
