@@ -124,7 +124,7 @@ class Machine:
         return speed
 
     def _corners(self, begin: np.ndarray, end: np.ndarray, speed: np.ndarray) -> np.ndarray:
-        """Return the largest squared speed at each of n + 1 points; 0 at both ends, and next to a move at unknown speed."""
+        """Return the largest squared speed at each of n + 1 points; 0 at both ends and at moves with unknown speed."""
         turn = begin[1:] - end[:-1]
         sine = np.sqrt(np.clip((1 + (begin[1:] * end[:-1]).sum(axis=1)) / 2, 0, 1))
         change = np.sqrt((turn**2).sum(axis=1))

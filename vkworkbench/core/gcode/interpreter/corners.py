@@ -45,7 +45,7 @@ def write(machine: Machine, mode: int, words: dict[str, float], move: dict[str, 
 
 
 def _cut(machine: Machine, corner: Corner, move: dict[str, float]) -> None:
-    """Cut a corner before a move. The move's relative words are changed, because the move then begins at the end of the rounding or chamfer."""
+    """Cut a corner before a move. Relative words are changed, because the move begins where the arc or chamfer ends."""
     relative, here = machine.modes.relative, machine.place.now()
     rest = dict.fromkeys("XYZ", 0.0) if relative else here
     if not {"X", "Y"} <= here.keys() or move.get("Z") not in (None, rest.get("Z")):

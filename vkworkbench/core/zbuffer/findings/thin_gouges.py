@@ -93,7 +93,7 @@ def thin_gouges(
     cuts : iterable of Cut
         The operations in machining order.
     seen : SeenModel
-        The model in an image along the tool axis. This image shows the gouges that are not thin.
+        The model in an image along the tool axis. The image along the tool axis shows the gouges that are not thin.
     tolerance : float
         Tolerance, mm. A depth of at most the tolerance plus `Cut.allowed_depth` is not a gouge.
     seconds : float

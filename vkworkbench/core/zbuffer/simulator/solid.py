@@ -202,8 +202,8 @@ class _Lattice:
         ])  # fmt: skip
         of_face = np.concatenate((np.flatnonzero(four), np.flatnonzero(four), owner[fan]))
         # The right axis, the up axis and the direction of an image form a left-handed system, so triangles on positive
-        # sides are reversed. For walls between rows (normal axis 1), the order of the two other axes is exchanged, so
-        # triangles on negative sides are reversed.
+        # sides are reversed. For walls between rows of pixels (normal axis 1), the order of the two other axes is
+        # exchanged, so triangles on negative sides are reversed.
         turned = faces.side[of_face] * (-1 if normal == 1 else 1) > 0
         found[turned] = found[turned][:, ::-1]
         return found
