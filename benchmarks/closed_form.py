@@ -141,7 +141,7 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
         points = np.concatenate((t.start[here], t.end[here]))[:, :2]
         room, outline = _grown_hull(points, radius, stock)
         if room <= 0:
-            continue  # beside the stock
+            continue  # the trajectories are beside the stock
         if recognition.strategy in _ROWS:
             # Rows of different directions are assumed to cross independently of each other.
             shares = [_rows_area(t, rows, tool, stepover) / room for rows in _row_families(t, here)]

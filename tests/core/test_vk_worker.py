@@ -41,7 +41,7 @@ def test_worker_dies_if_its_work_raises_an_error():
 
 @pytest.mark.skipif(not hasattr(signal, "SIGPIPE"), reason="Windows has no such signal")
 def test_dead_worker_sends_no_signal_to_its_caller():
-    """The signal would end FreeCAD 1.0."""
+    """The signal SIGPIPE would end FreeCAD 1.0."""
     got = []
     before = signal.signal(signal.SIGPIPE, lambda *_: got.append(1))
     try:
@@ -142,7 +142,7 @@ def test_worker_ends_when_its_parent_is_killed(work):
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the state of a process is read from /proc")
 def test_worker_ends_during_its_work_if_its_input_ends():
-    """Systems that send no signal when the parent process dies need this."""
+    """Systems that send no signal when the parent process dies need a worker that ends with its input."""
     one = Worker(time.sleep)
     one.get_ready()
     one._say(10_000)

@@ -209,7 +209,7 @@ def test_frozen_name_column_is_opaque(panel, shipped, window):
     try:
         for action in chosen:
             action.trigger()
-        window.settle()  # until the columns are laid out
+        window.settle()  # lays out the columns
         bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
 
         def picture(value):

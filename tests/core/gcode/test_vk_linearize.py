@@ -411,7 +411,7 @@ def test_arc_centres_in_commands_are_always_offsets():
 @pytest.mark.parametrize(
     "radius, grows, told", [(5, 0.09, False), (5, 0.12, True), (20, 0.19, False), (20, 0.22, True), (50, 0.6, True)]
 )
-def test_arc_radius_may_change_slightly(radius, grows, told):
+def test_radius_of_an_arc_may_change_slightly_along_the_arc(radius, grows, told):
     quarter = ("G3", {"X": 0, "Y": radius + grows, "I": -radius, "J": 0})
     found = path(("G0", {"X": radius, "Y": 0, "Z": 1}), quarter).problems
     assert [problem.what.code for problem in found] == ["arc-of-changing-radius"] * told

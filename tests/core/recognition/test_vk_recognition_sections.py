@@ -298,7 +298,7 @@ def with_a_contour(pattern, share, *before):
 
 @pytest.mark.parametrize("program", [False, True])
 @pytest.mark.parametrize(("share", "strategy"), [(0.047, Strategy.ZIGZAG), (0.053, Strategy.MIXED)])
-def test_titled_section_of_five_percent_makes_mixed(share, strategy, program):
+def test_titled_section_of_five_percent_makes_a_program_mixed(share, strategy, program):
     path = with_a_contour(programs.zigzag(20, 60.0, 3.0), share, ("(Contour)", {}))
     assert recognize(path, tool_diameter=TOOL, program=program).strategy is strategy
 
@@ -354,7 +354,7 @@ def test_another_tool_is_another_operation_in_a_program(loops, other):
 
 
 @pytest.mark.parametrize("titles, borders", [(200, 200), (201, 0)])
-def test_more_than_two_hundred_titles_do_not_divide(titles, borders):
+def test_more_than_two_hundred_titles_do_not_divide_a_program(titles, borders):
     path = linearize(programs.one_way(210))
     path = replace(path, comments=tuple((at, "title") for at in range(1, titles + 1)), tool_changes=np.array([5]))
     # The tool change is one of the borders, or the only border.
@@ -470,7 +470,7 @@ def test_longest_section_decides_if_no_section_agrees_with_whole():
     assert agreed(rows, told(AROUND, (12, 30, AROUND, 1.0), passes=5)) is whole
     short, unknown_one = (told(s, (12, 30, s, 1.0), passes=1) for s in (STROKES, Strategy.UNKNOWN))
     for little in (short, unknown_one):
-        assert agreed(rows, little) is whole  # the longest section has six tenths, but shows no strategy
+        assert agreed(rows, little) is whole  # the longest section has 0.6 of the length, but no strategy
         assert agreed(rows, little, share=(0.6, 0.4)).spans[0].strategy is ROWS
     mixed = told(Strategy.MIXED, (12, 20, AROUND, 0.5), (21, 30, ROWS, 0.5), closed_loops=2)
     spans = [(s.first, s.last, s.strategy) for s in agreed(rows, mixed).spans]
