@@ -116,7 +116,7 @@ def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]
 
 
 def unread(path: Path, why: Message) -> OperationReport:
-    """Return the row of a file that has no results, with the reason as a remark."""
+    """Return the report's row for a file that has no results, with the reason as a remark."""
     return without_results(
         why, document=str(path), name="", label=path.name, job=path.name, counted=False, fingerprint=""
     )
@@ -218,7 +218,7 @@ def _rows(path: Path, chosen: Preferences) -> list[OperationReport]:
 
 
 def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> OperationReport:
-    """Return the row of a program without a cut."""
+    """Return the report's row for an NC program without a cut."""
     row = unread(path, program.other or Message("no-cutting-move"))
     row = replace(row, remarks=(*row.remarks, *map(at_line, toolpath.problems)))
     if program.other:
@@ -229,7 +229,7 @@ def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> Operation
 
 
 def _row(whole: _Whole, part: Toolpath, section: Section, problems: list[Problem]) -> OperationReport:
-    """Return the row of one operation with its problems."""
+    """Return the report's row for one operation with its problems."""
     chosen, stock, tool = whole.chosen, whole.stock, section.tool
     remarks = [*whole.remarks, *map(at_line, problems)]
     unlike_milling = whole.other or _rotary(whole.rotary, section)

@@ -21,7 +21,7 @@ _workers: weakref.WeakSet[Worker] = weakref.WeakSet()
 
 
 def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[OperationReport, ...]:
-    """Analyse one program as `analyze_file` does, in a separate process. Each thread reuses its process.
+    """Analyse one NC program as `analyze_file` does, in a separate process. Each thread reuses its process.
 
     Parameters
     ----------

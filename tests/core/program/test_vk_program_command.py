@@ -315,7 +315,7 @@ def test_failing_analysis_affects_only_its_program(folder, inside, monkeypatch):
     assert done.stderr.splitlines()[-1] == "2 operations in 4 files, 2 could not be read."
 
 
-def test_table_of_a_program_is_printed_before_the_next_is_read(tmp_path, monkeypatch):
+def test_program_table_is_printed_before_next_program_is_read(tmp_path, monkeypatch):
     for name in "ab":
         (tmp_path / f"{name}.nc").write_text(PROGRAM)
     written, seen = io.BytesIO(), []
@@ -561,7 +561,7 @@ def scheduler(tmp_path):
 
 
 @pytest.mark.long
-def test_results_on_a_dask_cluster_are_the_same(folder, tmp_path, inside, endless, scheduler):
+def test_results_on_a_dask_cluster_equal_local_results(folder, tmp_path, inside, endless, scheduler):
     address, client = scheduler
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
     inside(folder, "--csv", here)

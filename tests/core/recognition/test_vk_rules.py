@@ -164,7 +164,7 @@ def test_only_a_rise_at_the_end_counts_as_rising():
         assert share_rising(moves) * moves.length.sum() == pytest.approx(share, abs=0.1)
 
 
-def test_mixed_has_shares_and_verdicts_of_parts():
+def test_mixed_operation_has_shares_and_verdicts_of_its_parts():
     found = proposed(CASES["rows beside contours"][0])
     assert found.seen.arguments["rows"] + found.seen.arguments["loops"] == pytest.approx(1.0)
     assert found.seen.arguments["loops"] == pytest.approx(4 * 284 / (4 * 284 + 527), rel=0.05)
