@@ -144,7 +144,7 @@ def test_winding_turns_begin_at_full_turns_of_phi(first, last, sense):
 
 
 @pytest.mark.parametrize("first, second", [(3, 4), (4, 3)])
-def test_windings_are_counted_separately(first, second):
+def test_full_turns_of_each_winding_are_counted_separately(first, second):
     up, down = winding(10, 10, first, drop=2.0), [(x, -y, z) for x, y, z in winding(8, 8, second, drop=2.0)]
     areas = areas_of([(0, 0, 0), (50, 0, 0), (50, 5, 0), (0, 5, 0)], up, down)
     turns = winding_turns(areas, areas.start[1:], areas.end[1:], np.array([1.0, -1.0]))

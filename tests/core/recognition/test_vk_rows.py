@@ -261,7 +261,7 @@ def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
     "step, tool, good",
     [(0.17, 6, False), (0.19, 6, True), (0.17, 0, True), (3, 2.4, False), (3, 2.6, True), (3, 0, True)],
 )
-def test_row_steps_must_fit_the_tool(step, tool, good):
+def test_rows_fill_an_area_only_if_their_step_fits_the_tool(step, tool, good):
     """Below 0.03 diameters, fewer than ten rows are one repeated pass.
 
     Above 1.2 diameters, stock remains between rows.
@@ -269,7 +269,7 @@ def test_row_steps_must_fit_the_tool(step, tool, good):
     assert fills(tool, step=step, lines=9) is good
 
 
-def test_many_close_rows_fill_unless_they_go_down_a_wall():
+def test_many_close_rows_fill_an_area_except_down_a_wall():
     assert fills(step=0.01)
     assert not fills(step=0.01, steep=True)
 
@@ -290,7 +290,7 @@ def test_filling_rows_may_skip_one_row(period, good):
         (1, 0.4, 6, False),
     ],
 )
-def test_three_rows_fill_if_even_and_two_if_they_overlap(count, even, tool, good):
+def test_three_even_rows_or_two_overlapping_rows_fill_an_area(count, even, tool, good):
     assert fills(tool, count=count, even=even, lines=count) is good
 
 

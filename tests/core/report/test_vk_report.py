@@ -118,7 +118,7 @@ def test_job_facts_need_all_cutting_operations():
     assert [row.simulated for row in partly.operations] == [FIRST, None, None] and partly.totals[0].simulated is None
 
 
-def test_verdict_of_a_job_is_in_table_and_files(tmp_path):
+def test_verdict_on_a_job_is_in_table_and_files(tmp_path):
     """An operation that was left out does not prevent the verdict, because the verdict names it."""
     told = report(operation("One"), operation("Two"))
     one = SimulationFacts(

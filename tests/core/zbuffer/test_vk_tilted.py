@@ -90,7 +90,7 @@ def test_tile_depths_contain_stock_of_all_rays(direction, level):
 
 @pytest.mark.parametrize("side", [4, 16])
 @pytest.mark.parametrize("direction", [(0, 1, -1), (0, 1, -0.2)])
-def test_quarters_near_the_sweep_of_a_ball_stay(direction, side):
+def test_quarters_of_a_tile_near_the_sweep_of_a_ball_stay(direction, side):
     """A ball of 12 mm moves from x = -10 to 10. The compared rays pass below its middle, beside the shank."""
     stock = Stock((-100, -100, -100), (100, 100, 100))
     frame = View(direction, 200, 180, pixel=0.5).frame(stock)

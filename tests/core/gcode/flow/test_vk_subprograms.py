@@ -64,7 +64,7 @@ def test_moves_of_subprogram_have_the_line_of_the_call():
     assert said(text) == ["Line 5 (first of 2): Lines with variables or expressions are ignored."]
 
 
-def test_operations_are_also_divided_inside_subprograms():
+def test_programs_are_divided_into_operations_in_subprograms():
     tools = f"N100 T1 M6 (D10 ENDMILL)\n{STEP}M99\nN200 T2 M6 (DRILL)\n{STEP}M99"
     text = f"O1\n{BEFORE}M97 P100\nM97 P200 L2\nM30\n{tools}"
     sections = split_sections(read_program(text))
@@ -99,7 +99,7 @@ def test_unreadable_or_missing_call_has_a_remark(call):
     ("before", "beside", "titles"),
     [("", "", ["Facing"]), ("", "; (faces)", ["faces"]), ("(Top)\n", "", ["Top"]), ("G1 X9\n(Top)\n", "", ["", "Top"])],
 )
-def test_comments_in_subprograms_name_but_do_not_divide(before, beside, titles):
+def test_subprogram_comments_name_operations_without_dividing(before, beside, titles):
     lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\n(over)\nY5\nX0\nM99"
     text = f"O1\n{BEFORE}{before}M97 P10 L2 {beside}\nG0 X0\nM97 P10\nM30\n{lines}"
     assert [section.title for section in split_sections(read_program(text))] == titles
