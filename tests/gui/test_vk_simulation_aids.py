@@ -107,7 +107,7 @@ def test_zoomed_in_part_is_simulated_finer(player, window):
     coarse = whole.zbuffer.frame.pixel
     player.look("Isometric")
     finest(player, window)
-    window.wheel(view, view.rect().center(), 10)
+    window.wheel(view, view.rect().center(), 16)
     assert view.frame.pixel < coarse / 3
     window.wait(lambda: player.drawing.detail is not None, 60)
     detail = player.drawing.detail
