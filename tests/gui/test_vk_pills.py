@@ -24,7 +24,7 @@ from vkworkbench.gui.results.rows import Row
 from vkworkbench.gui.tree import column as tree
 from vkworkbench.gui.tree import pills
 from vkworkbench.gui.tree.explanation import explanation
-from vkworkbench.gui.tree.layout import layouts
+from vkworkbench.gui.tree.layout import PADDING, layouts
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 
@@ -126,6 +126,16 @@ def test_pill_of_a_time_near_or_over_the_budget_is_coloured(seconds, color):
     assert any(piece.kind == "warning" for piece in shown.pieces) == (color == "OVER")
     assert (user().time(seconds) in shown.text) == (color is None)
     assert layout(record, mark_simulator="legacy", time_budget=1e5).text.endswith(f"sim {user().time(seconds)}")
+
+
+@pytest.mark.parametrize("points", [7, 9, 10, 11, 14, 24])
+def test_pill_is_wider_than_its_text_in_every_font(points):
+    metrics = QtGui.QFontMetrics(QtGui.QFont("Sans Serif", points))
+    for strategy in (Strategy.CONTOUR_PARALLEL, Strategy.ADAPTIVE, None):
+        record = record_of(6120, strategy=strategy)
+        for shown in layouts(record, "", Preferences(mark_simulator="legacy"), metrics, None):
+            for piece in shown.pieces:
+                assert not piece.text or piece.width >= metrics.horizontalAdvance(piece.text) + 2 * PADDING
 
 
 def test_narrow_pill_drops_machining_time_before_simulation():

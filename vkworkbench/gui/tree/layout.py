@@ -26,7 +26,7 @@ from vkworkbench.gui.tree.notices import Level, kind_of, level_of
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import is_switched_off
 
-_PADDING = 6  # px between the text of a pill and its left and right end
+PADDING = 6  # px between the text of a pill and its left and right end
 _SPACE = "\u00a0"  # a no-break space, which Qt neither stretches nor drops
 
 
@@ -68,17 +68,18 @@ class Layout:
     def __init__(self, metrics) -> None:
         self.text, self.pieces, self.needed = "", [], 0
         self._metrics = metrics
+        self._space = metrics.horizontalAdvance(100 * _SPACE) / 100  # px; the width of one space would be rounded
 
     def add(self, kind: str, text: str, color: str, ink: str = TEXT) -> None:
         """Add a piece, and a gap in the text over which the piece is painted."""
         self._part()
         left, metrics = self._metrics.horizontalAdvance(self.text), self._metrics
         if kind == "outlined":  # Qt's style paints the text, in the usual colour of texts
-            padding = _SPACE * math.ceil(_PADDING / metrics.horizontalAdvance(_SPACE))
+            padding = _SPACE * math.ceil(PADDING / self._space)
             self.text += f"{padding}{text}{padding}"
         else:
-            width = metrics.horizontalAdvance(text) + 2 * _PADDING if text else metrics.height()
-            self.text += _SPACE * math.ceil(width / metrics.horizontalAdvance(_SPACE))
+            width = metrics.horizontalAdvance(text) + 2 * PADDING if text else metrics.height()
+            self.text += _SPACE * math.ceil(width / self._space)
         self.needed = metrics.horizontalAdvance(self.text)
         self.pieces.append(Piece(kind, text, color, ink, left, self.needed - left))
 

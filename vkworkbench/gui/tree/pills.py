@@ -35,7 +35,7 @@ from vkworkbench.gui.qt.names import (
 from vkworkbench.gui.qt.plain_text import show_tooltip
 from vkworkbench.gui.tree import column
 from vkworkbench.gui.tree.explanation import explanation
-from vkworkbench.gui.tree.layout import Layout, layouts
+from vkworkbench.gui.tree.layout import PADDING, Layout, layouts
 
 _MARGINS = 16  # px; sum of the left and right margin of the text in a cell
 _REMARK_LENGTH = 40  # characters of a remark that fit in the default width of the column
@@ -115,7 +115,7 @@ def _paint_filled(painter, where: QRectF, piece) -> None:
     painter.setBrush(QColor(piece.color))
     painter.drawRoundedRect(where, where.height() / 3, where.height() / 3)
     painter.setPen(QColor(piece.ink))
-    room = int(where.width() - where.height() / 3)  # width of the pill without its round ends
+    room = int(where.width()) - PADDING
     painter.drawText(where, Qt.AlignCenter, painter.fontMetrics().elidedText(piece.text, Qt.ElideRight, room))
 
 
@@ -207,7 +207,10 @@ def show() -> None:
         if (view.itemDelegateForColumn(column.DESCRIPTION) is _delegate) != wanted:
             view.setItemDelegateForColumn(column.DESCRIPTION, _delegate if wanted else None)
             scrolled = view.horizontalScrollBar().valueChanged
-            scrolled.connect(_repaint) if wanted else scrolled.disconnect(_repaint)
+            if wanted:
+                scrolled.connect(_repaint)
+            else:
+                scrolled.disconnect(_repaint)
     _repaint()
 
 
