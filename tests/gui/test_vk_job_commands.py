@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 import Mesh
 import pytest
 from make_example import cam
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from vkworkbench.document.job.clamps import clamps_of
 from vkworkbench.document.job.previous import previous_job
@@ -89,6 +89,7 @@ def test_second_job_begins_with_the_part_of_the_first(document, window):
     Gui.runCommand("Vk_PreviousJob")
     (dialog,) = window.top_level(QtGui.QInputDialog)
     assert dialog.comboBoxItems() == ["The stock of Second", f"1. {job.Label}"]
+    assert [label.textFormat() for label in dialog.findChildren(QtGui.QLabel)] == [QtCore.Qt.PlainText]
     window.screenshot("previous-job")
     dialog.setTextValue(f"1. {job.Label}")
     dialog.accept()

@@ -45,10 +45,10 @@ class AnalyzeCommand(DocumentCommand):
         try:
             report = progress.analyze(selected_operations() or document)
         except vkworkbench.Cancelled:
-            _status(translate("Vk_Analyze", "The analysis was cancelled. Nothing has changed."))
+            show_status(translate("Vk_Analyze", "The analysis was cancelled. Nothing has changed."))
             return
         except Unusable as error:
-            _status(sentence(error.what))
+            show_status(sentence(error.what))
             return
         if is_gone(document):  # the document was closed during the analysis
             return
@@ -83,7 +83,7 @@ class AnalyzeCommand(DocumentCommand):
             text += " " + plural(one, more, jobs)
         if warned or jobs:
             text += " " + translate("Vk_Analyze", "Toolpath Results (V, R) lists them.")
-        _status(text)
+        show_status(text)
 
 
 class ClearCommand(DocumentCommand):
@@ -103,7 +103,7 @@ class ClearCommand(DocumentCommand):
         with column.steady_columns():
             cleared = vkworkbench.clear(selected_operations() or FreeCAD.ActiveDocument)
         removed = translate("Vk_Clear", "The marks were removed.")
-        _status(removed if cleared else translate("Vk_Clear", "There are no marks to remove."))
+        show_status(removed if cleared else translate("Vk_Clear", "There are no marks to remove."))
 
 
 def mark(report) -> None:
@@ -150,10 +150,6 @@ def _show_description() -> None:
 
 def _inform(text: str) -> None:
     inform(translate("Vk_Analyze", "Toolpath Analysis"), text, Gui.getMainWindow())
-
-
-def _status(text: str) -> None:
-    show_status(text, Gui.getMainWindow())
 
 
 AnalyzeCommand.add()

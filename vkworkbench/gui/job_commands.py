@@ -84,7 +84,7 @@ class ClampsCommand(JobCommand):
         solids = [obj for obj in selected if not has_toolpath(obj) and obj.Name not in of_job and has_solid(obj)]
         if solids:
             set_clamps(job, solids)
-            _status(_clamps_text(job))
+            show_status(_clamps_text(job))
             return
         advice = translate("Vk_Clamps", "To set others, select their solids first, and the job if there are several.")
         if not clamps_of(job):
@@ -103,7 +103,7 @@ class ClampsCommand(JobCommand):
 
 def _remove_clamps(job) -> None:
     set_clamps(job, [])
-    _status(translate("Vk_Clamps", "{} has no clamps.").format(job.Label))
+    show_status(translate("Vk_Clamps", "{} has no clamps.").format(job.Label))
 
 
 def _clamps_text(job) -> str:
@@ -135,10 +135,10 @@ class PreviousJobCommand(JobCommand):
     def _choose(self, job, other) -> None:
         set_previous_job(job, other)
         if other is None:
-            _status(translate("Vk_PreviousJob", "{} begins with its own stock.").format(job.Label))
+            show_status(translate("Vk_PreviousJob", "{} begins with its own stock.").format(job.Label))
         else:
             text = translate("Vk_PreviousJob", "{} begins with the part that {} leaves.")
-            _status(text.format(job.Label, other.Label))
+            show_status(text.format(job.Label, other.Label))
 
 
 class AddMeshCommand(JobCommand):
@@ -154,7 +154,7 @@ class AddMeshCommand(JobCommand):
         done = _simulated(job, self._title)
         if done is not None:
             added = done.add_mesh()
-            _status(translate("Vk_AddMesh", "{} was added to the document.").format(added.Label))
+            show_status(translate("Vk_AddMesh", "{} was added to the document.").format(added.Label))
 
 
 class SaveStlCommand(JobCommand):
@@ -179,7 +179,7 @@ class SaveStlCommand(JobCommand):
             )
             warn(self._title, text, window)
         else:
-            _status(translate("Vk_SaveStl", "The part is saved in {}.").format(path))
+            show_status(translate("Vk_SaveStl", "The part is saved in {}.").format(path))
 
 
 def _simulated(job, title: str) -> Simulation | None:
@@ -189,7 +189,7 @@ def _simulated(job, title: str) -> Simulation | None:
         with simulating(title, text) as going_on:
             return simulate_solid(job, going_on)
     except Cancelled:
-        _status(translate("Vk_Jobs", "The simulation was cancelled. Nothing has changed."))
+        show_status(translate("Vk_Jobs", "The simulation was cancelled. Nothing has changed."))
         return None
 
 
@@ -202,10 +202,6 @@ def _ask(title: str, text: str, jobs: list, names: list[str], take: Callable, pr
     labels = names + [f"{number}. {job.Label}" for number, job in enumerate(jobs[len(names) :], 1)]
     shown = jobs.index(present) if present in jobs else 0
     choose(title, text, labels, lambda number: take(jobs[number]), Gui.getMainWindow(), shown)
-
-
-def _status(text: str) -> None:
-    show_status(text, Gui.getMainWindow())
 
 
 for command in (ClampsCommand, PreviousJobCommand, AddMeshCommand, SaveStlCommand):

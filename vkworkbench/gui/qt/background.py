@@ -159,7 +159,7 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
             going_on()
         results.put((False, None))
     except Exception as error:
-        results.put((False, error))  # nobody reads the error after `give_up`
+        results.put((False, error))  # after `give_up`, the error is never read
 
 
 class Busy(QWidget):

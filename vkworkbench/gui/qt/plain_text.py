@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Show texts from documents and files as plain text, in every tooltip, label and message box.
+"""Show texts from documents and files as plain text, in every tooltip, label, message box and status bar.
 
 By default, Qt interprets a text that looks like HTML: a label such as ``<img src='file:...'>`` would load the file.
 """
@@ -9,6 +9,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from html import escape
+
+import FreeCADGui as Gui
 
 from vkworkbench.gui.qt.names import (
     QEvent,
@@ -121,13 +123,14 @@ def choose(
     dialog.setLabelText(text)
     dialog.setComboBoxItems(choices)
     dialog.setTextValue(choices[present])
+    as_plain(dialog.findChild(QLabel))
     dialog.textValueSelected.connect(lambda chosen: take(choices.index(chosen)))
     dialog.open()
 
 
-def show_status(text: str, window: QWidget) -> None:
-    """Show a message in a window's status bar for some seconds."""
-    window.statusBar().showMessage(text, _SHOWN)
+def show_status(text: str) -> None:
+    """Show a message in the status bar of FreeCAD's window for some seconds."""
+    Gui.getMainWindow().statusBar().showMessage(text, _SHOWN)
 
 
 def warn(title: str, text: str, parent: QWidget) -> QMessageBox:

@@ -11,7 +11,6 @@ from os import strerror
 from pathlib import Path
 
 import FreeCAD
-import FreeCADGui as Gui
 import numpy as np
 
 from vkworkbench.gui.qt import progress
@@ -61,7 +60,7 @@ def save_frames(player) -> None:
             done = write_frames(player, folder, _FRAMES, going_on)
             text = translate("Vk_Simulate", "{} of {} pictures are saved in {}.")
             text = text.format(user().count(done), user().count(_FRAMES), folder)
-            show_status(text, Gui.getMainWindow())
+            show_status(text)
     except OSError as error:
         _not_written(player, error.filename)
     finally:

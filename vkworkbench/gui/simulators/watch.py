@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Notice that the user starts one of FreeCAD's simulators. This module imports numpy only after such a start.
 
-Menus, drop-down buttons and macros can start a simulator, but not all of them trigger the action of its command. A task
-panel always opens, so this module watches FreeCAD's task view for a new child widget, which each task adds.
+Menus, drop-down buttons and macros can start a simulator, and some of these starts trigger no action of a command. A
+task panel always opens, so this module watches FreeCAD's task view for a new child widget, which each task adds.
 """
 
 from __future__ import annotations
