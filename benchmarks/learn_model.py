@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn the model of the recognition from the table alone, and judge it on sources that it was not learned from.
+"""Learn the model of the recognition from the table alone, and judge the model on sources left out of the learning.
 
     python3 benchmarks/learn_model.py              # learns and writes vkworkbench/core/recognition/verdict/model.npz
     python3 benchmarks/learn_model.py --check      # fails if the shipped model is not the one that the table gives
@@ -223,7 +223,7 @@ def leave_out(e: Examples, by: str) -> LeftOut:
 def judge(e: Examples) -> None:
     """Print the accuracy on sources that are left out of the learning, as a table."""
     print(
-        "| left out, a tenth at a time | toolpaths | number | right | two-class | the paper's rule to the letter | calibration error |"
+        "| left out, a tenth at a time | toolpaths | number | right | two-class | the paper's literal rule | calibration error |"
     )
     print("|---|---|---|---|---|---|---|")
     for by, what in (("group", "repositories, parts, kinds"), ("system", "CAM systems")):

@@ -50,7 +50,7 @@ def answers(toolpath):
     move = np.diff(toolpath.points[:, :2], axis=0)[~toolpath.rapid]
     move = move[np.hypot(*move.T) > 1e-9]
     phi = phi_to_the_letter(np.arctan2(move[:, 1], move[:, 0]))
-    yield "to the letter, the whole operation", told(phi.min(), phi.max())
+    yield "literal, the whole operation", told(phi.min(), phi.max())
     areas = monotonous_areas(toolpath)
     own = areas.signature(int(np.argmax(areas.area_length)))
     phi = phi_to_the_letter(own.alpha)

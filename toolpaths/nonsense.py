@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make nonsense toolpaths, which machine no part: random walks, noise, rolling curves and space-filling curves.
 
-KINDS also contains the functions in chaos.py, figures.py and families.py.
+KINDS also contains the functions in chaos.py, figures.py and random_rules.py.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from toolpaths import chaos, families, figures
+from toolpaths import chaos, figures, random_rules
 from toolpaths.turtle import grow
 
 CLEAR, DEPTH, FEED = 5.0, -1.0, 10.0
@@ -282,7 +282,7 @@ RANDOM = (
 KINDS = (
     *RANDOM, scribble, epicycloid, hypocycloid, lissajous, rose, three_arms, star, hilbert, moore, peano, meander,
     dragon, levy, gosper, arrowhead, koch, quadratic_island, morton, sierpinski, terdragon, gray, tour, attractor,
-    sunflower, spirolateral, wunderlich, odometer, *chaos.OTHER, *figures.KINDS, *families.KINDS,
+    sunflower, spirolateral, wunderlich, odometer, *chaos.OTHER, *figures.KINDS, *random_rules.KINDS,
 )  # fmt: skip
 
 
