@@ -14,7 +14,7 @@ columns and how to add a program. The operations are
 * toolpaths made by the modules synthetic, strokes, outlines, few_moves, lathe, fine_rows and nonsense of toolpaths/.
 
 An operation with a tool has one row with the tool and one row without it. If several rows have the same labels,
-measures and proposals, only one of them is kept.
+measures and proposals, the table contains only one of these rows.
 
 Programs that cannot be fetched, and FreeCAD versions without a file in FOLDER, keep their rows of the last table,
 unless the measures have changed since then.

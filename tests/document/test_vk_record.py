@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The data of a mark in the tree (a record): JSON keeps a record, a total combines records, damaged data is no mark."""
+"""The data of a mark in the tree (a record): as JSON, as the total of several records, and damaged."""
 
 from __future__ import annotations
 

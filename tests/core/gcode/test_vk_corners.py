@@ -64,7 +64,7 @@ def test_rounded_corners_follow_rotations_and_mirrors():
     assert ends("G51.1 X0\nX10 ,R2\nY10") == [[-8, 0], [-10, 2], [-10, 10]]
 
 
-def test_shift_after_a_relative_corner_counts_from_the_end_of_the_move():
+def test_shift_after_a_relative_corner_uses_the_programmed_end():
     assert ends("G91 X10 ,R2\nY10\nG92 X0 Y0\nG90 X5")[-1] == [15, 10]
 
 

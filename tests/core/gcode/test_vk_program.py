@@ -653,7 +653,7 @@ def test_one_bad_arc_does_not_make_centres_absolute():
 
 
 @pytest.mark.parametrize("code", ["G8", "G92.1", "G92.2", "G92.3", "G96 S100", "G43.1 H1", "G49"])
-def test_codes_without_axis_words_do_not_hide_the_move_of_their_line(code):
+def test_move_beside_a_code_without_axis_words_is_read(code):
     assert points(PLAIN + f"G1 X5 Y4 {code}")[-1] == [5, 4, -1]
 
 

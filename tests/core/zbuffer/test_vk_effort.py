@@ -41,7 +41,7 @@ def test_amounts_of_work_match_hand_count():
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
     assert cells == pytest.approx(2 * 16**2 * 4e5 * (CELLS[2] + 0.25 * SORTED))
     assert records == pytest.approx(3 * RECORDS[0] + 2 * RECORDS[1])
-    # A level of tiles has at least as many blocks as the image has bands, and at least as many as the preceding level.
+    # A level of tiles has at least as many blocks as the image has bands, and never fewer than the preceding level.
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 

@@ -635,8 +635,8 @@ class VISITS:
     #: section takes time. With the value 1, most programs are recognised as one operation.
     MOST = 60
     #: count. Number of times that visits are divided again, at lower retracts. With the value 0, all operations between
-    #: two tool changes are recognised as one operation if tools are changed at a greater height than the operations
-    #: retract to. With a higher value, recognising programs with retracts to many heights takes long.
+    #: two tool changes are recognised as one operation if retracts for a tool change are higher than other retracts.
+    #: With a higher value, recognising programs with retracts to many heights takes long.
     NESTED = 4
     #: share of the length. A block (area or drilled hole) counts as closed in the measures of a visit if the distance
     #: between its ends is below this share of its length.

@@ -184,7 +184,7 @@ def _packed(colors: np.ndarray, factor: float = 1.0) -> np.ndarray:
 def _shaded(color: np.ndarray, brightness: np.ndarray) -> np.ndarray:
     """Convert colours 0xffRRGGBB, which have the brightness `BRIGHTEST`, to another brightness.
 
-    Red and blue are multiplied in one operation, because the number has eight free bits above each of them.
+    Red and blue are multiplied in one operation, because the number has eight free bits above red and above blue.
     """
     share = (brightness * np.float32(256 / BRIGHTEST)).astype(np.uint32)
     green = (color >> np.uint32(8)) & np.uint32(0xFF)

@@ -29,7 +29,7 @@ class Record(Costs):
         Strategy of the operation; None for a job.
     confidence : float
     reason, remarks : tuple of Message
-        The reason for the strategy; the problems of the operation and what is unknown about it.
+        The reason for the strategy; problems of the operation and its unknown quantities.
     cautions : tuple of Caution
         Problems in FreeCAD's simulators.
     operations, fixtures, trajectories : int

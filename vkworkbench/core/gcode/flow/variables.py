@@ -29,8 +29,8 @@ _OF_MACHINE = frozenset([
     "_ABS_V", "_ABS_W", "_CURRENT_TOOL", "_CURRENT_POCKET", "_SELECTED_TOOL", "_SELECTED_POCKET", "_TASK",
     "_CALL_LEVEL", "_REMAP_LEVEL",
 ])  # fmt: skip
-# The axes of variables that contain the tool's coordinates. Such a variable is known if the program determines the
-# coordinate.
+# The axes of variables that contain the tool's coordinates. The value of a variable is known if the program determines
+# the coordinate.
 _PLACE = {5420: "X", 5421: "Y", 5422: "Z"}
 _PLACE_OF_FANUC = {5001: "X", 5002: "Y", 5003: "Z", 5041: "X", 5042: "Y", 5043: "Z"}
 _FIRST_OF_MACHINE, _LAST_OF_MACHINE = 5000, 5999  # LinuxCNC: positions, offsets, the tool table, results of probing

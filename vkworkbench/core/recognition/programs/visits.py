@@ -235,8 +235,8 @@ def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
     Programs do not mark their operations, and there are also retracts within an operation. A retract to the top height
     is a border only if feed, ground, depths or pattern change as between operations. A model learned from programs
     estimates the probability (benchmarks/learn_borders.py). A visit that lies alone between two borders is divided
-    further, at retracts to its own top height, because tools are changed at a greater height than operations retract
-    to.
+    further, at retracts to its own top height, because retracts for a tool change are higher than retracts within an
+    operation.
     """
     found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
     for _ in range(VISITS.NESTED):

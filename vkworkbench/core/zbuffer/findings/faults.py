@@ -201,9 +201,9 @@ def too_fast(cuts: Cuts) -> np.ndarray:
 
 
 def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> list[Plunge]:
-    """Return those of the fast plunges `plunges` (k,) that go into full material.
+    """Return the fast plunges that go into full material.
 
-    `pieces` are the pieces that the plunges remove.
+    `plunges` (k,) are the trajectories of all fast plunges, and `pieces` are the pieces that these plunges remove.
     """
     start, end = (ends[plunges] for ends in cuts.ends)
     # Depth of the plunge's end below the highest removed point, but at most the height of the plunge.

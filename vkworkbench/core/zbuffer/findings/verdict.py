@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Provide the verdict on a job's safety as one message: faults, size of the pixels, and what was not checked."""
+"""Provide the verdict on a job's safety as one message: faults, size of the pixels, and the checks that were left out."""
 
 from __future__ import annotations
 
