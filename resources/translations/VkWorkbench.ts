@@ -1118,18 +1118,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Gouges not checked, because the job has no model with a volume.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shank, holder and clamps not checked.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The file has more than {lines:n} lines.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1415,6 +1403,18 @@
     </message>
     <message>
         <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouges were not checked, because the job has no model with a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} were not checked, because the tool is simulated by a simpler shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps were not checked.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2397,7 +2397,7 @@ Memory</source>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

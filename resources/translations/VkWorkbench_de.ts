@@ -1146,18 +1146,6 @@
         <translation>{count:n}-mal wird zu schnell eingetaucht.</translation>
     </message>
     <message>
-        <source>Gouges not checked, because the job has no model with a volume.</source>
-        <translation>Schnitte ins Modell nicht geprüft, weil der Auftrag kein Modell mit Volumen hat.</translation>
-    </message>
-    <message>
-        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
-        <translation>Schnitte ins Modell von {labels} nicht geprüft, weil das Werkzeug durch eine einfachere Form simuliert wird.</translation>
-    </message>
-    <message>
-        <source>Shank, holder and clamps not checked.</source>
-        <translation>Schaft, Halter und Spannmittel nicht geprüft.</translation>
-    </message>
-    <message>
         <source>The file has more than {lines:n} lines.</source>
         <translation>Die Datei hat mehr als {lines:n} Zeilen.</translation>
     </message>
@@ -1416,6 +1404,18 @@
     <message>
         <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
         <translation>„{simulator:simulator}“ wird am Ende dieses Auftrags auf etwa {frames:g1} Bilder pro Sekunde langsamer, vor allem wegen der Bögen. Simulieren Sie weniger Operationen auf einmal.</translation>
+    </message>
+    <message>
+        <source>Gouges were not checked, because the job has no model with a volume.</source>
+        <translation>Schnitte ins Modell wurden nicht geprüft, weil der Auftrag kein Modell mit Volumen hat.</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} were not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>Schnitte ins Modell von {labels} wurden nicht geprüft, weil das Werkzeug durch eine einfachere Form simuliert wird.</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps were not checked.</source>
+        <translation>Schaft, Halter und Spannmittel wurden nicht geprüft.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2403,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
         <translation>Zeit für „Werkzeugwege simulieren“. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
     </message>
     <message>

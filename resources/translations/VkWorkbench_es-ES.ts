@@ -1146,18 +1146,6 @@
         <translation>{count:n} entradas son demasiado rápidas.</translation>
     </message>
     <message>
-        <source>Gouges not checked, because the job has no model with a volume.</source>
-        <translation>No se han comprobado cortes en el modelo, porque el trabajo no tiene un modelo con volumen.</translation>
-    </message>
-    <message>
-        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
-        <translation>No se han comprobado cortes en el modelo de {labels}, porque la herramienta se simula con una forma más simple.</translation>
-    </message>
-    <message>
-        <source>Shank, holder and clamps not checked.</source>
-        <translation>No se han comprobado vástago, portaherramientas ni bridas.</translation>
-    </message>
-    <message>
         <source>The file has more than {lines:n} lines.</source>
         <translation>El archivo tiene más de {lines:n} líneas.</translation>
     </message>
@@ -1416,6 +1404,18 @@
     <message>
         <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
         <translation>El {simulator:simulator} baja a unas {frames:g1} imágenes por segundo al final de este trabajo, sobre todo por los arcos. Simule menos operaciones a la vez.</translation>
+    </message>
+    <message>
+        <source>Gouges were not checked, because the job has no model with a volume.</source>
+        <translation>No se han comprobado cortes en el modelo, porque el trabajo no tiene un modelo con volumen.</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} were not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>No se han comprobado cortes en el modelo de {labels}, porque la herramienta se simula con una forma más simple.</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps were not checked.</source>
+        <translation>No se han comprobado vástago, portaherramientas ni bridas.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2403,7 @@ como mucho</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
         <translation>Tiempo de «Simular trayectorias». Una operación se simula sola, sobre el material entero. En un trabajo, cada operación corta el material que queda.</translation>
     </message>
     <message>

@@ -1146,18 +1146,6 @@
         <translation>{count:n} plongées sont trop rapides.</translation>
     </message>
     <message>
-        <source>Gouges not checked, because the job has no model with a volume.</source>
-        <translation>Coupes dans le modèle non vérifiées, car la tâche n&apos;a pas de modèle avec un volume.</translation>
-    </message>
-    <message>
-        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
-        <translation>Coupes dans le modèle de {labels} non vérifiées, car l&apos;outil est simulé par une forme plus simple.</translation>
-    </message>
-    <message>
-        <source>Shank, holder and clamps not checked.</source>
-        <translation>Queue, porte-outil et brides non vérifiés.</translation>
-    </message>
-    <message>
         <source>The file has more than {lines:n} lines.</source>
         <translation>Le fichier a plus de {lines:n} lignes.</translation>
     </message>
@@ -1416,6 +1404,18 @@
     <message>
         <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
         <translation>« {simulator:simulator} » ralentit à environ {frames:g1} images par seconde à la fin de cette tâche, surtout à cause des arcs. Simulez moins d&apos;opérations à la fois.</translation>
+    </message>
+    <message>
+        <source>Gouges were not checked, because the job has no model with a volume.</source>
+        <translation>Les coupes dans le modèle n&apos;ont pas été vérifiées, car la tâche n&apos;a pas de modèle avec un volume.</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} were not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>Les coupes dans le modèle de {labels} n&apos;ont pas été vérifiées, car l&apos;outil est simulé par une forme plus simple.</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps were not checked.</source>
+        <translation>La queue, le porte-outil et les brides n&apos;ont pas été vérifiés.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2403,7 @@ au plus</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
         <translation>Durée de « Simuler l&apos;usinage ». Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut restant.</translation>
     </message>
     <message>

@@ -1146,18 +1146,6 @@
         <translation>{count:n} 次下刀过快。</translation>
     </message>
     <message>
-        <source>Gouges not checked, because the job has no model with a volume.</source>
-        <translation>未检查过切，因为任务没有实体模型。</translation>
-    </message>
-    <message>
-        <source>Gouges of {labels} not checked, because the tool is simulated by a simpler shape.</source>
-        <translation>未检查 {labels} 的过切，因为刀具由更简单的形状模拟。</translation>
-    </message>
-    <message>
-        <source>Shank, holder and clamps not checked.</source>
-        <translation>未检查刀柄、刀夹和夹具。</translation>
-    </message>
-    <message>
         <source>The file has more than {lines:n} lines.</source>
         <translation>文件超过 {lines:n} 行。</translation>
     </message>
@@ -1416,6 +1404,18 @@
     <message>
         <source>The {simulator:simulator} slows to about {frames:g1} frames per second at the end of this job, mostly because of arcs. Simulate fewer operations at a time.</source>
         <translation>{simulator:simulator}在此作业结束时降至约每秒 {frames:g1} 帧，主要由于圆弧。请一次模拟较少的操作。</translation>
+    </message>
+    <message>
+        <source>Gouges were not checked, because the job has no model with a volume.</source>
+        <translation>未检查过切，因为任务没有实体模型。</translation>
+    </message>
+    <message>
+        <source>Gouges of {labels} were not checked, because the tool is simulated by a simpler shape.</source>
+        <translation>未检查 {labels} 的过切，因为刀具由更简单的形状模拟。</translation>
+    </message>
+    <message>
+        <source>Shank, holder and clamps were not checked.</source>
+        <translation>未检查刀柄、刀夹和夹具。</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2403,7 @@ at Most</source>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>The paper&apos;s extended z-buffer. Its columns in CSV and JSON have no prefix.</extracomment>
+        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
         <translation>“模拟刀具路径”所需的时间。操作单独在完整毛坯上模拟。在作业中，每个操作切削剩余的毛坯。</translation>
     </message>
     <message>

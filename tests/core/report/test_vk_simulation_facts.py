@@ -84,7 +84,7 @@ def test_verdict_on_the_job_is_below_table_and_in_file(tmp_path):
     found = replace(FOUND, verdict=Verdict(pixel=0.125, met=True, crashes=2, unchecked=unchecked))
     text = (
         "2 rapids cut into material. Checked to 0.12 mm. 2 moves were not checked for lack of time, the first is "
-        "command 5 of =Pocket. Shank, holder and clamps not checked."
+        "command 5 of =Pocket. Shank, holder and clamps were not checked."
     )
     assert str(found).splitlines()[-1] == text
     found.to_json(tmp_path / "facts.json")

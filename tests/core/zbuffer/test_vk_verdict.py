@@ -22,6 +22,7 @@ from vkworkbench.core.zbuffer import (
     simulate_job,
 )
 from vkworkbench.language import Message, render
+from vkworkbench.report import JobVerdict
 
 LABELS = ["Face", "Engrave"]
 SOUND = Verdict(pixel=0.12)
@@ -34,7 +35,7 @@ def text(verdict):
 def test_sound_unchecked_and_missed_stocks_have_own_verdicts():
     texts = [text(one) for one in (SOUND, PENDING, replace(SOUND, met=False))]
     assert texts == [
-        "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps not checked.",
+        "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps were not checked.",
         "Nothing is checked yet.",
         "Nothing was checked, because no tool meets the stock. Check the stock and its position.",
     ]
@@ -56,7 +57,7 @@ def test_sound_unchecked_and_missed_stocks_have_own_verdicts():
 )
 def test_verdict_begins_with_the_faults(fault, sentence):
     verdict = replace(SOUND, **fault)
-    assert text(verdict) == f"{sentence} Checked to 0.12 mm. Shank, holder and clamps not checked."
+    assert text(verdict) == f"{sentence} Checked to 0.12 mm. Shank, holder and clamps were not checked."
     assert not verdict.is_sound
 
 
@@ -75,7 +76,7 @@ def test_verdict_is_not_sound_if_parts_are_unread():
     unsure = replace(SOUND, unread=(first,))
     assert not unsure.is_sound and text(unsure) == (
         "No collision, gouge or fast plunge was found, checked to 0.12 mm. Not everything could be checked: Pocket: The "
-        "operation has no tool. Give it a tool controller. Shank, holder and clamps not checked."
+        "operation has no tool. Give it a tool controller. Shank, holder and clamps were not checked."
     )
     assert "for 2 reasons. The first reason: Pocket" in text(replace(SOUND, unread=(first, second)))
     assert text(replace(unsure, crashes=1)).startswith("1 rapid cuts into material. Checked to 0.12 mm. Not everything")
@@ -85,10 +86,23 @@ def test_verdict_is_not_sound_if_parts_are_unread():
 def test_verdict_names_everything_that_was_not_checked():
     partly = replace(SOUND, compared=False, unjudged=(1,), unchecked=(Source(1, 7, 6),))
     assert text(partly) == (
-        "No collision or fast plunge, checked to 0.12 mm. 1 move was not checked for lack of time: command 7 of Engrave. "
-        "Gouges not checked, because the job has no model with a volume. "
-        "Gouges of Engrave not checked, because the tool is simulated by a simpler shape. Shank, holder and clamps not checked."
+        "No collision or fast plunge was found, checked to 0.12 mm. "
+        "1 move was not checked for lack of time: command 7 of Engrave. "
+        "Gouges were not checked, because the job has no model with a volume. "
+        "Gouges of Engrave were not checked, because the tool is simulated by a simpler shape. "
+        "Shank, holder and clamps were not checked."
     )
+
+
+@pytest.mark.parametrize(
+    "left_out",
+    [{"unjudged": (1,)}, {"unchecked": (Source(1, 7, 6),)}, {"walls_checked": False}],
+    ids=lambda one: next(iter(one)),
+)
+def test_verdict_is_not_sound_if_a_check_was_left_out(left_out):
+    partly = replace(SOUND, **left_out)
+    assert not partly.is_sound and not JobVerdict(partly.message(LABELS), "x").is_sound
+    assert text(partly).startswith("No collision, gouge or fast plunge was found, checked to 0.12 mm. ")
 
 
 STOCK = Stock((0, 0, 0), (40, 30, 10))

@@ -104,12 +104,12 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         ),
     ),
     "verdict-no-model": QT_TRANSLATE_NOOP(
-        "Sentences", "Gouges not checked, because the job has no model with a volume."
+        "Sentences", "Gouges were not checked, because the job has no model with a volume."
     ),
     "verdict-unjudged": QT_TRANSLATE_NOOP(
-        "Sentences", "Gouges of {labels} not checked, because the tool is simulated by a simpler shape."
+        "Sentences", "Gouges of {labels} were not checked, because the tool is simulated by a simpler shape."
     ),
-    "attachments-unchecked": QT_TRANSLATE_NOOP("Sentences", "Shank, holder and clamps not checked."),
+    "attachments-unchecked": QT_TRANSLATE_NOOP("Sentences", "Shank, holder and clamps were not checked."),
     # A fault of an operation, in the results.
     "simulated": (
         QT_TRANSLATE_NOOP("Sentences", "The simulation shows a fault at command {command:#}: {fault}"),

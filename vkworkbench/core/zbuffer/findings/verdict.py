@@ -68,11 +68,12 @@ class Verdict:
 
     @property
     def is_sound(self) -> bool:
-        """Whether the whole job was read and checked, and no fault was found.
+        """Whether the whole job was read and checked, and no fault was found."""
+        return self.is_checked and self._is_complete and not self._faults()
 
-        Moves in `unchecked` can still have faults.
-        """
-        return self.is_checked and not self.unread and not self._faults()
+    @property
+    def _is_complete(self) -> bool:
+        return self.walls_checked and not (self.unread or self.unchecked or self.unjudged)
 
     def message(self, labels: Sequence[str]) -> Message:
         """Return the verdict on the job's safety as one message.
@@ -93,9 +94,9 @@ class Verdict:
 
     def _no_faults(self) -> Message:
         what = Message("verdict-kinds") if self.compared else Message("verdict-kinds-without-model")
-        if self.unread:
-            return Message("verdict-unsure", what=what, pixel=self.pixel)
-        return Message("verdict-sound", what=what, pixel=self.pixel)
+        if self._is_complete:
+            return Message("verdict-sound", what=what, pixel=self.pixel)
+        return Message("verdict-unsure", what=what, pixel=self.pixel)
 
     def _unread(self) -> tuple[Message, ...]:
         if not self.unread:
