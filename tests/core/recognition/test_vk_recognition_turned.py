@@ -95,7 +95,7 @@ def test_lathe_pass_must_end_with_a_move_along_x():
     last = [("G0", {"X": 27.0}), ("G1", {"Z": -40.0})]
     assert not is_turned(linearize([*turning(2), *last]))
     assert not is_turned(linearize([*turning(2), *last, ("G1", {"Z": 2.0})]))
-    assert not is_turned(linearize([*turning(2), *last, ("G0", {"X": 28.0})]))
+    assert is_turned(linearize([*turning(2), *last, ("G0", {"X": 28.0})]))
     assert is_turned(linearize([*turning(2), *last, ("G1", {"X": 28.0})]))
 
 

@@ -125,7 +125,7 @@ def test_first_tiles_list_the_trajectories_that_pass_them():
     """The slot is 6 mm wide, from row 120 to row 180, so it passes the tiles with rows 64 to 127 and 128 to 191."""
     trajectories = of_slots(6.0)
     left, bottom = np.meshgrid(np.arange(0, 400, TILE), np.arange(0, 300, TILE))
-    tiles = first_tiles(trajectories, left.ravel(), bottom.ravel())
+    tiles = first_tiles(trajectories, TILE, left.ravel(), bottom.ravel())
     assert tiles.side == TILE
     assert {row for _, row, items in told(tiles) if items} == {64, 128}
     assert all((items == [0]) == (row in (64, 128)) for _, row, items in told(tiles))
@@ -137,7 +137,7 @@ def test_slot_between_pixel_centres_is_in_no_other_tile(along_x):
     ends = [(-10, 9.4, 6), (50, 9.4, 6)] if along_x else [(9.4, -10, 6), (9.4, 50, 6)]
     trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), FLAT)]), BOX, of_slots(6.0).frame)
     first, other = np.array([0, 64, 128]), np.full(3, 128)
-    tiles = first_tiles(trajectories, *((other, first) if along_x else (first, other)))
+    tiles = first_tiles(trajectories, TILE, *((other, first) if along_x else (first, other)))
     assert [items for *_, items in told(tiles)] == [[], [0], []]
 
 
@@ -148,7 +148,7 @@ def test_tile_spans_first_to_last_pixel(along_x):
     ends = [(-10, y, 6), (50, y, 6)] if along_x else [(y, -10, 6), (y, 50, 6)]
     trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), tool)]), BOX, of_slots(6.0).frame)
     first, other = np.array([0, 64, 128]), np.full(3, 128)
-    tiles = first_tiles(trajectories, *((other, first) if along_x else (first, other)))
+    tiles = first_tiles(trajectories, TILE, *((other, first) if along_x else (first, other)))
     assert [items for *_, items in told(tiles)] == [[0], [0], []]
 
 
@@ -186,7 +186,7 @@ def test_pair_of_tile_and_trajectory_counts_once_at_every_size(slots):
 def test_quarters_of_tiles_are_in_the_image_and_may_be_cut():
     """The last tile of a row begins at column 384, and 16 of its 64 columns are in the image."""
     trajectories = of_slots(6.0)
-    tiles = first_tiles(trajectories, np.array([320, 384]), np.array([64, 64]))
+    tiles = first_tiles(trajectories, TILE, np.array([320, 384]), np.array([64, 64]))
     found = quartered(trajectories, Upright(trajectories), tiles)
     assert found.side == 32
     assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]  # no trajectory cuts below row 96

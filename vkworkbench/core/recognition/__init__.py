@@ -5,9 +5,10 @@ The input is a `Toolpath` and, if known, the tool's diameter. The output is a `R
 confidence, its reason, the numbers that support the strategy, and the spans of the parts.
 """
 
+from vkworkbench.core.recognition.patterns.turned import is_turned
 from vkworkbench.core.recognition.programs.inches import recognize_inches
 from vkworkbench.core.recognition.programs.recognize import recognize
 from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
 
-__all__ = ["Recognition", "Span", "recognize", "recognize_inches", "unknown"]
+__all__ = ["Recognition", "Span", "is_turned", "recognize", "recognize_inches", "unknown"]

@@ -12,6 +12,7 @@ import FreeCAD
 from vkworkbench import preferences
 from vkworkbench.core import Cut, Stock, Tool, Toolpath, linearize
 from vkworkbench.core.gcode import Words, in_seconds, used_up
+from vkworkbench.core.recognition import is_turned
 from vkworkbench.core.zbuffer import part_triangles
 from vkworkbench.document.job.clamps import clamp_solids, clamps_of, readable_clamps, shapes_of
 from vkworkbench.document.job.fingerprint import (
@@ -43,7 +44,6 @@ from vkworkbench.document.job.work_offsets import WorkOffsets
 from vkworkbench.document.simulation.allowed_depth import allowed_depth, with_stroke_depth
 from vkworkbench.document.simulation.along_axis import zbuffer_along_axis
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
-from vkworkbench.document.simulation.lathe import is_turned
 from vkworkbench.document.simulation.solid import stock_after
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import fingerprint_of_job

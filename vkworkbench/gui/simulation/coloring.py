@@ -99,7 +99,7 @@ def by_strategy(zbuffer: ZBuffer, job: Job) -> Coloring:
 def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
     total = job.clock.total
     colors = scale_colors(job.clock.ends[1:] / total if total else job.clock.ends[1:])
-    return Coloring(palette(colors), lambda: _ends(user().time(0), user().time(total)))
+    return Coloring(palette(colors), lambda: _scale(SCALE, user().time(total), user().time(0)))
 
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
@@ -109,7 +109,7 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
     order = np.argsort(rates)
     volume = np.cumsum(volumes[order])
     most = float(rates[order][np.searchsorted(volume, 0.99 * volume[-1])]) if len(volume) and volume[-1] > 0 else 1.0
-    return Coloring(palette(scale_colors(rates / most)), lambda: _ends("0", f"{user().volume(most, 3)}/min"))
+    return Coloring(palette(scale_colors(rates / most)), lambda: _scale(SCALE, f"{user().volume(most, 3)}/min", "0"))
 
 
 def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
@@ -131,9 +131,9 @@ def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
     def legend() -> Entries:
         least, most = user().measure(tolerance, 2), user().measure(DEEPEST * tolerance, 2)
         return (
-            *_stations(GOUGED, translate("Vk_Simulate", "Gouged, {} to {}").format(least, most)),
+            *_scale(GOUGED, translate("Vk_Simulate", "Gouged, {} to {}").format(least, most)),
             (_name(MET), translate("Vk_Simulate", "As the Model")),
-            *_stations(LEFT, translate("Vk_Simulate", "Stock Left, {} to {}").format(least, most)),
+            *_scale(LEFT, translate("Vk_Simulate", "Stock Left, {} to {}").format(least, most)),
             (_name(NO_MODEL), translate("Vk_Simulate", "No Model")),
         )
 
@@ -150,15 +150,9 @@ COLORINGS: tuple[tuple[str, Callable[[ZBuffer, Job], Coloring]], ...] = (
 )
 
 
-def _ends(least: str, most: str) -> Entries:
-    """Return the legend of a colour scale; only the first and the last colour have names."""
-    names = [least, *[""] * (len(SCALE) - 2), most]
-    return tuple(zip(map(_name, SCALE), names))
-
-
-def _stations(colors: np.ndarray, name: str) -> Entries:
-    """Return the legend of a colour scale; only the last colour has a name."""
-    return tuple(zip(map(_name, colors), [*[""] * (len(colors) - 1), name]))
+def _scale(colors: np.ndarray, last: str, first: str = "") -> Entries:
+    """Return the legend of a colour scale; only its last colour, and often its first colour, have names."""
+    return tuple(zip(map(_name, colors), [first, *[""] * (len(colors) - 2), last]))
 
 
 def _name(color: np.ndarray) -> str:

@@ -10,7 +10,7 @@ from vkworkbench.core.toolpath import Toolpath
 
 
 def is_turned(toolpath: Toolpath) -> bool:
-    """Return whether a toolpath looks like the toolpath of a lathe, for programs in which no code identifies a lathe.
+    """Return whether a toolpath looks like the toolpath of a lathe, if no code of its program identifies a lathe.
 
     Passes of a lathe run along Z at many X positions, and each pass ends with a move in X away from the part. A mill
     that never moves in Y cuts one slot or one row, and its cuts along X are longer than its descents. A mill that
@@ -29,7 +29,7 @@ def is_turned(toolpath: Toolpath) -> bool:
     steep = np.abs(dz) > dx
     passes = np.flatnonzero(cuts & (-dz > dx))
     passes = passes[passes < len(cuts) - 1]
-    passes = passes[cuts[passes + 1] & ~steep[passes + 1]]
+    passes = passes[~steep[passes + 1]]
     if len(np.unique(np.rint(x[passes + 1] / ROUNDING.PLACE))) < LATHE.PASSES:
         return False
     return bool(-dz[passes].sum() > LATHE.LONGER * dx[cuts & ~steep].sum())

@@ -253,7 +253,7 @@ def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles
     if count < every:
         chosen = ((np.arange(count) + rng.random(count)) * (every / count)).astype(np.int64)
     row, column = np.divmod(chosen, columns)
-    tiles = first_tiles(removal, TILE * column, TILE * row)
+    tiles = first_tiles(removal, TILE, TILE * column, TILE * row)
     return tiles, np.full(count, every / count), every
 
 

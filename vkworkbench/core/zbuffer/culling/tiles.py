@@ -186,7 +186,7 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
         How many times a trajectory was tested against a tile or a pixel to find `tiles`.
     """
     left = np.arange(region.left, region.right, TILE)
-    return divided(trajectories, bounds, first_tiles(trajectories, left, np.full(len(left), region.bottom)))
+    return divided(trajectories, bounds, first_tiles(trajectories, TILE, left, np.full(len(left), region.bottom)))
 
 
 def divided(
@@ -227,13 +227,13 @@ def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
     return result
 
 
-def first_tiles(trajectories: Trajectories, left: np.ndarray, bottom: np.ndarray) -> Tiles:
-    """Return the largest tiles that begin at `left`, `bottom` (t,), with the trajectories that can meet each tile."""
+def first_tiles(trajectories: Trajectories, side: int, left: np.ndarray, bottom: np.ndarray) -> Tiles:
+    """Return tiles with the first pixels `left`, `bottom` (t,), and the trajectories that can meet each tile."""
     frame = trajectories.frame
     x0, y0 = frame.pixel_centres(left, bottom)
-    x1, y1 = frame.pixel_centres(np.minimum(left + TILE, frame.width) - 1, np.minimum(bottom + TILE, frame.height) - 1)
+    x1, y1 = frame.pixel_centres(np.minimum(left + side, frame.width) - 1, np.minimum(bottom + side, frame.height) - 1)
     tile, item = trajectories.meeting(x0, x1, y0, y1)
-    return Tiles(TILE, left, bottom, np.searchsorted(tile, np.arange(len(left) + 1)), item)
+    return Tiles(side, left, bottom, np.searchsorted(tile, np.arange(len(left) + 1)), item)
 
 
 def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles:

@@ -15,7 +15,7 @@ import numpy as np
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame, View
-from vkworkbench.core.zbuffer.culling.tiles import TILE, Tiles, divided
+from vkworkbench.core.zbuffer.culling.tiles import TILE, Tiles, divided, first_tiles
 from vkworkbench.core.zbuffer.culling.upright import Upright
 from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
 from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
@@ -101,7 +101,7 @@ class FineRays:
         columns, rows = (np.arange(0, size, TILE) for size in (own.width, own.height))
         column, row = np.tile(columns, len(rows)), np.repeat(rows, len(columns))
         used = is_marked(column, row, TILE)
-        tiles = self._listed(TILE, column[used], row[used])
+        tiles = first_tiles(self.trajectories, TILE, column[used], row[used])
 
         def needed(tiles: Tiles) -> Tiles:
             return self._needed(tiles.selected(is_marked(tiles.column, tiles.row, tiles.side)))
@@ -150,15 +150,7 @@ class FineRays:
         inside = (column >= 0) & (column < columns) & (row >= 0) & (row < rows)
         number = np.unique(row[inside].astype(np.int64) * columns + column[inside].astype(np.int64))
         row, column = np.divmod(number, columns)
-        return self._listed(side, column * side, row * side)
-
-    def _listed(self, side: int, column: np.ndarray, row: np.ndarray) -> Tiles:
-        """Return tiles with the first pixels `column`, `row` (t,), and the trajectories that can meet each tile."""
-        frame = self.trajectories.frame
-        x0, y0 = frame.pixel_centres(column, row)
-        x1, y1 = frame.pixel_centres(column + side - 1, row + side - 1)
-        tile, met = self.trajectories.meeting(x0, x1, y0, y1)
-        return Tiles(side, column, row, np.searchsorted(tile, np.arange(len(column) + 1)), met)
+        return first_tiles(self.trajectories, side, column * side, row * side)
 
     def _needed(self, tiles: Tiles) -> Tiles:
         """Return the tiles that at least one wanted trajectory can cut.
