@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCAD
 import Path
 import pytest
+from coarse import coarse_check
 from make_example import cam
 
 from vkworkbench.document.job.results import RESULTS
@@ -15,6 +16,13 @@ from vkworkbench.document.job.results import RESULTS
 def nothing_known():
     """Forget the results of earlier analyses."""
     RESULTS.clear()
+
+
+@pytest.fixture
+def checked_coarsely():
+    """Check the simulated jobs of a test coarsely, because the test does not judge small faults."""
+    with coarse_check():
+        yield
 
 
 class JobDocument:

@@ -12,6 +12,7 @@ import FreeCAD
 import Part
 import Path as CAM
 import pytest
+from cases import first_everywhere
 
 import vkworkbench
 from vkworkbench import preferences
@@ -50,7 +51,7 @@ def dressed(op, bases, type_id="App::PropertyLink"):
 # Loops, links and odd objects
 
 
-@pytest.mark.parametrize("length", [1, 3, 7])
+@pytest.mark.parametrize("length", first_everywhere([1, 3, 7]))
 @pytest.mark.parametrize("type_id", ["App::PropertyLink", "App::PropertyLinkList", "App::PropertyLinkGlobal"])
 @pytest.mark.parametrize("arrays", [False, True])
 def test_loop_of_dress_ups_is_analyzed(small, zigzag_commands, length, type_id, arrays):
@@ -198,7 +199,7 @@ PATHS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", PATHS)
+@pytest.mark.parametrize("name", first_everywhere(PATHS, 5))
 def test_odd_path_does_not_affect_the_other_operation(small, zigzag_commands, name):
     op = small.add("Odd", [])
     with suppress(TypeError, ValueError):  # FreeCAD refuses some odd paths
@@ -247,7 +248,7 @@ def test_odd_tool_has_an_error_or_a_cost_in_every_view(small, zigzag_commands, d
         group.Clear()
 
 
-@pytest.mark.parametrize("view", ["Front", "Isometric", "Top"])
+@pytest.mark.parametrize("view", first_everywhere(["Front", "Isometric", "Top"]))
 @pytest.mark.parametrize("above", [-0.001, 1.0])
 def test_tool_much_wider_than_the_stock_has_a_remark(small, zigzag_commands, view, above):
     """The tool is much wider than the stock, so only moves above the stock do not touch the stock."""
@@ -287,7 +288,7 @@ TEXTS = ["<script>alert(1)</script>", "\x01\x02\x1b[31m", "\u202eabc\u2066def\u2
          "⟦⟧", "⟦1 operation⟧⟦zigzag⟧", "\u0085\u2028\u2029", "\u202e\u2066\u2067", "=HYPERLINK(1)", " \t\n ", "ﷺ" * 200, "Ｚｉｇｚａｇ"]  # fmt: skip
 
 
-@pytest.mark.parametrize("text", TEXTS, ids=range(len(TEXTS)))
+@pytest.mark.parametrize("text", first_everywhere(TEXTS, 4), ids=range(len(TEXTS)))
 def test_odd_labels_do_not_change_the_result(small, zigzag_commands, text, tmp_path):
     small.add("Zigzag", zigzag_commands)
     sound = rows(small.document)["Zigzag"]
@@ -331,7 +332,7 @@ DAMAGES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("damage", DAMAGES, ids=range(len(DAMAGES)))
+@pytest.mark.parametrize("damage", first_everywhere(DAMAGES, 4), ids=range(len(DAMAGES)))
 @pytest.mark.parametrize("of", ["operation", "job"])
 def test_damaged_mark_is_replaced_and_cleared(small, zigzag_commands, damage, of):
     op = small.add("Zigzag", zigzag_commands)
@@ -351,13 +352,13 @@ def test_damaged_mark_is_replaced_and_cleared(small, zigzag_commands, damage, of
     assert not any(marks.is_marked(one) for one in small.document.Objects)
 
 
-@pytest.mark.parametrize("name, value", [
+@pytest.mark.parametrize("name, value", first_everywhere([
     ("operations", 1e300), ("operations", -1), ("confidence", "NaN"), ("confidence", 1e308), ("length", {}), ("costs", []),
     ("costs", {"legacy": None}), ("costs", {"z-buffer": {"seconds": 1e300, "memory_bytes": "x"}}), ("strategy", 5),
     ("reason", "x"), ("reason", [{"code": "nowhere"}]), ("remarks", [[["x"]]]), ("cautions", [{"code": 1}]), ("fingerprint", None),
     ("remarks", [{"code": "not-analysed", "arguments": {"error": "\ud83d"}}]), ("text", "\udc00"), ("own", ["\udc00"]),
     ("outdated", "no"), ("called", {"a": 1}), ("trajectories", True), ("machining", "1"), ("text", 5), ("own", 7),
-])  # fmt: skip
+], 4))  # fmt: skip
 def test_mark_with_a_damaged_entry_is_replaced_and_cleared(small, zigzag_commands, name, value):
     """Marking replaces unreadable marks, and clearing removes them."""
     op = small.add("Zigzag", zigzag_commands)

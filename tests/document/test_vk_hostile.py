@@ -17,6 +17,7 @@ from pathlib import Path
 import FreeCAD
 import Path as CAM
 import pytest
+from cases import first_everywhere
 from counting import steps
 
 import vkworkbench
@@ -165,7 +166,7 @@ def test_invalid_tool_diameter_has_an_error(small, zigzag_commands, diameter):
     assert op.Path.Size == len(zigzag_commands)
 
 
-@pytest.mark.parametrize("label", LABELS, ids=range(len(LABELS)))
+@pytest.mark.parametrize("label", first_everywhere(LABELS, 5), ids=range(len(LABELS)))
 def test_odd_labels_are_shown_as_plain_text(small, zigzag_commands, label, tmp_path):
     op = small.add(label, zigzag_commands)
     own = label
@@ -311,6 +312,7 @@ def add_many(small, count, commands):
     return made
 
 
+@pytest.mark.long
 def test_work_for_a_thousand_operations_is_linear(small, zigzag_commands):
     document = small.document
     operations = add_many(small, 100, zigzag_commands)

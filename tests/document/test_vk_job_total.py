@@ -41,6 +41,7 @@ def summed(report):
     return sum(o.estimate.seconds for o in report.operations if o.counted)
 
 
+@pytest.mark.long
 def test_total_is_the_cost_of_simulating_the_job(example):
     (total,) = vkworkbench.analyze(example).totals
     job, view = read_job(example), preferences.read().view

@@ -10,6 +10,7 @@ from functools import partial
 import FreeCAD
 import Path
 import pytest
+from cases import first_everywhere
 from posting import posted
 
 import vkworkbench
@@ -110,7 +111,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize(
-    "written", [*DAMAGED, *((name, value) for name, values in CHANGES.items() for value in values)]
+    "written", first_everywhere([*DAMAGED, *([name, value] for name, values in CHANGES.items() for value in values)], 5)
 )
 def test_damaged_mark_is_replaced(small, zigzag_commands, written):
     op = small.add("Zigzag", zigzag_commands)
@@ -137,7 +138,7 @@ TYPES = [
 ]
 
 
-@pytest.mark.parametrize("kind", [None, *TYPES])
+@pytest.mark.parametrize("kind", first_everywhere([None, *TYPES], 2))
 @pytest.mark.parametrize("name", mark_properties._TYPES)
 def test_deleted_or_retyped_property_is_created_again(small, zigzag_commands, name, kind):
     op = small.add("Zigzag", zigzag_commands)

@@ -66,6 +66,7 @@ def test_only_jobs_of_the_same_part_are_offered_as_previous(small, second):
         set_previous_job(small.job, small.job)
 
 
+@pytest.mark.usefixtures("checked_coarsely")
 def test_change_of_the_first_job_outdates_the_second_verdict(small, second):
     set_previous_job(second, small.job)
     facts = vkworkbench.simulate(second).facts()
@@ -84,6 +85,7 @@ def test_error_names_a_previous_job_without_operations(small):
         vkworkbench.simulate(second)
 
 
+@pytest.mark.long
 def test_second_side_of_the_example_gives_a_closed_stl_file(example, tmp_path):
     """The example's part is turned over and drilled; its STL file is closed and has the simulated volume."""
     before = preferences.read()

@@ -7,9 +7,12 @@ import os
 import subprocess
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
+@pytest.mark.long
 def test_show_example_writes_table_document_and_picture(tmp_path):
     home, output = tmp_path / "home", tmp_path / "output"
     output.mkdir()

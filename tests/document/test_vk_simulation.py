@@ -11,6 +11,7 @@ import numpy as np
 import Part
 import Path
 import pytest
+from cases import first_everywhere
 from traps import environment_of_traps, lay_traps
 
 import vkworkbench
@@ -117,6 +118,7 @@ def test_placement_of_an_operation_moves_its_cuts(small):
     assert (cut.toolpath.points[:, 1] == 30).all()
 
 
+@pytest.mark.usefixtures("checked_coarsely")
 def test_operation_without_tool_is_left_out_with_a_remark(small):
     small.add("Fine", slot(10.0))
     small.add("No tool", slot(20.0), controller=None)
@@ -128,6 +130,7 @@ def test_operation_without_tool_is_left_out_with_a_remark(small):
     assert str(done.facts()).splitlines()[-1].startswith("No tool: ")
 
 
+@pytest.mark.long
 def test_impossible_simulation_is_refused(small):
     with pytest.raises(Unusable, match="nothing to simulate"):
         vkworkbench.simulate(small.job)
@@ -254,7 +257,7 @@ def test_simulation_facts_contain_a_fault_of_each_kind(small, tmp_path):
     assert [move["command"] for move in moves if move["rapid"] == "True" and float(move["removed_volume"]) > 0] == ["2"]
 
 
-@pytest.mark.parametrize("depth, told", [(0.05, False), (0.15, True), (0.25, True)])
+@pytest.mark.parametrize("depth, told", first_everywhere([(0.15, True), (0.05, False), (0.25, True)]))
 def test_only_cuts_deeper_than_the_tolerance_are_gouges(small, depth, told):
     """The top of the model is at Z = 20 mm, and the slot is `depth` deeper."""
     small.add("Deep", slot(10.0, z=20 - depth))
@@ -295,6 +298,8 @@ def test_simulation_has_remarks_on_ignored_commands(small):
         vkworkbench.simulate(lost)
 
 
+@pytest.mark.long
+@pytest.mark.usefixtures("checked_coarsely")
 def test_simulated_faults_are_not_shown_for_another_toolpath(small):
     first, second = small.add("First", slot(10.0)), small.add("Second", slot(20.0))
     found = vkworkbench.simulate(small.job, view=VIEW).facts()
@@ -306,6 +311,8 @@ def test_simulated_faults_are_not_shown_for_another_toolpath(small):
     assert report.totals[0].simulated is None
 
 
+@pytest.mark.long
+@pytest.mark.usefixtures("checked_coarsely")
 def test_report_contains_simulation_findings(small, tmp_path):
     slot = small.add("Slot", [("G0", {"X": 10.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0}), ("G0", {"X": 30.0})])
     small.add("More", [("G0", {"X": 10.0, "Y": 20.0, "Z": 30.0}), ("G1", {"Z": 16.0}), ("G1", {"X": 30.0})])
@@ -338,6 +345,7 @@ def test_report_contains_simulation_findings(small, tmp_path):
     assert json.loads((tmp_path / "before.json").read_text(encoding="utf-8"))["operations"][0]["simulated"] is None
 
 
+@pytest.mark.long
 def test_simulated_example_has_no_fault(example):
     found = vkworkbench.simulate(example).facts()
     assert found.job.crashes == found.job.fast_plunges == found.job.gouges == ()
@@ -607,6 +615,7 @@ def test_feeds_in_a_listing_are_in_mm_per_min(small):
     assert [cut.toolpath.feed[-1] for cut in job.cuts] == pytest.approx([20.0, 20.0])
 
 
+@pytest.mark.long
 def test_simulation_facts_are_the_same_from_every_view(small):
     """The job is a rapid plunge, 3 mm deep, with a tool thinner than the pixels of the view."""
     small.controller.Tool.Diameter = 0.5

@@ -17,6 +17,8 @@ import FreeCAD
 import FreeCADGui as Gui
 import kept_example
 import pytest
+from cases import first_everywhere
+from coarse import coarse_check
 from PySide import QtCore, QtGui
 from simulation_window import SMALL, Desk
 
@@ -66,15 +68,9 @@ def usual_computer():
 
 
 @pytest.fixture(scope="session", autouse=True)
-def coarse_check():
-    """Check simulated jobs with wide pixels and with few rays along walls, to save nine tenths of the time.
-
-    The tests of the core and of the documents check which faults are found.
-    """
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._FINE_ENOUGH", 0.5)  # mm
-        patch.setattr("vkworkbench.core.zbuffer.cost.axis_view._OF_TOOL", 1.0)
-        patch.setattr("vkworkbench.core.zbuffer.findings.thin_gouges._AT_WALLS", 0.25)  # mm
+def checked_coarsely():
+    """Check simulated jobs coarsely; the tests of the core and of the documents check which faults are found."""
+    with coarse_check():
         yield
 
 
@@ -448,7 +444,7 @@ def marked(opened, kept_document, window):
     return opened
 
 
-@pytest.fixture(scope="module", params=["light", "dark"])
+@pytest.fixture(scope="module", params=first_everywhere(["dark", "light"]))
 def theme(request, window):
     application = QtGui.QApplication.instance()
     before = application.styleSheet()

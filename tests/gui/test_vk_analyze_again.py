@@ -39,7 +39,7 @@ def change(op, commands):
     op.Path = Path.Path("\n".join(["G0 X0 Y0 Z30", "G1 Z15 F100", *lines]))
 
 
-@pytest.mark.parametrize("commands", [20, 80_000])
+@pytest.mark.parametrize("commands", [20, pytest.param(80_000, marks=pytest.mark.long)])
 def test_mark_outdated_by_a_recompute_is_analysed_again(again, window, commands):
     import vkworkbench
 

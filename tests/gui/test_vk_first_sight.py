@@ -61,6 +61,7 @@ def test_first_marks_are_visible_in_a_narrow_dock(untouched, opened, window):
     window.screenshot("first-narrow-dock")
 
 
+@pytest.mark.long
 def test_first_marks_are_visible_in_a_large_font(untouched, opened, window):
     window.main.setGeometry(0, 0, 1700, 1000)  # wide enough for the tree and the 3D view
     view, usual = window.tree, window.tree.font()
@@ -135,6 +136,7 @@ def test_first_marks_are_visible_in_a_small_window(untouched, opened, window):
         report.hide()
 
 
+@pytest.mark.long
 def test_marks_of_sixty_operations_are_seen_in_a_small_window(untouched, opened, window):
     pocket = opened.getObjectsByLabel("Pocket zigzag")[0]
     copies = [opened.addObject("Path::FeaturePython", "Copy") for _ in range(60)]
@@ -152,6 +154,7 @@ def test_marks_of_sixty_operations_are_seen_in_a_small_window(untouched, opened,
     window.screenshot("first-sixty")
 
 
+@pytest.mark.long
 def test_job_is_expanded_only_by_the_first_analysis(untouched, opened, window):
     window.tree.collapseAll()
     window.analyze(opened)

@@ -13,6 +13,7 @@ import FreeCADGui as Gui
 import numpy as np
 import Path
 import pytest
+from cases import first_everywhere
 from PySide import QtCore, QtGui
 
 import vkworkbench
@@ -279,7 +280,7 @@ def test_narrow_floating_panel_has_two_rows_of_plots(view, window):
     window.wait(lambda: not view.dock.isFloating() and view.dock.isVisible())
 
 
-@pytest.mark.parametrize("pack", ["FreeCAD Dark", "FreeCAD Light"])
+@pytest.mark.parametrize("pack", first_everywhere(["FreeCAD Dark", "FreeCAD Light"]))
 def test_gauss_map_is_readable_in_themes(view, opened, window, pack):
     with in_theme(window, pack):
         select(labelled(opened, "Pocket around island"))
@@ -334,6 +335,7 @@ def shipped_sheet(pack):
     return text.replace("qss:", sheets.as_posix() + "/")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("label", ["Face", "Pocket zigzag", "Pocket around island", "Bore", "Adaptive pocket"])
 def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, label, tmp_path):
     report = vkworkbench.analyze(opened.getObjectsByLabel(label)[0])
@@ -384,6 +386,7 @@ def test_phi_of_a_zigzag_stays_away_from_the_drawn_bound(view, opened, window):
     assert figure.bound.endswith(": zigzag")
 
 
+@pytest.mark.long
 def test_plots_are_at_least_80_pixels_high(view, opened, window):
     before = window.main.geometry()
     try:
@@ -425,6 +428,7 @@ def test_wheel_zooms_and_mouse_moves_a_plot(view, window):
     assert [np.array_equal([one.lower, one.upper], was) for one, was in zip((plot, graph), whole)] == [True, False]
 
 
+@pytest.mark.long
 def test_gauss_map_of_100_000_trajectories_stays_responsive(view, opened, window):
     rows = np.arange(50_000)
     xs = np.where(rows % 2 == 0, 100.0, 0.0)

@@ -83,6 +83,7 @@ def cancel(window, order, number, beats):
     return pressed[0](), gaps, labels, len(set(at_esc)) > 1
 
 
+@pytest.mark.long
 def test_esc_ends_the_analysis_of_150_000_commands(long_document, window):
     before = [(obj.Name, obj.Label2, tuple(obj.PropertiesList), list(obj.State)) for obj in long_document.Objects]
     undo = long_document.UndoCount

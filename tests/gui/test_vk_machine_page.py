@@ -119,6 +119,7 @@ def row_page(window, label):
     return panel, panel.details.toPlainText()
 
 
+@pytest.mark.long
 def test_measured_time_changes_the_time_factor(page, opened, window, monkeypatch):
     vkworkbench.mark(vkworkbench.analyze(opened))
     assert "At constant feed" in row_page(window, "Job")[1]

@@ -76,6 +76,7 @@ def test_marks_are_updated_after_the_measurement(opened, window, first_session, 
     assert marks.read(opened.Job).cost("z-buffer")[0] > 5 * before.cost("z-buffer")[0]
 
 
+@pytest.mark.long
 def test_measurement_restarts_after_a_move_of_the_pointer(opened, window, first_session, monkeypatch):
     beats, pieces, tries = [0], [], []
 

@@ -359,6 +359,7 @@ def test_click_on_a_row_selects_the_operation(panel, opened, window):
     assert tree_selected == ["Bore"]
 
 
+@pytest.mark.long
 def test_page_shows_phi_only_after_a_click_on_why(panel, opened, window):
     click_row(window, panel, "Bore")
     (found,) = [o for o in vkworkbench.analyze(opened).operations if o.label == "Bore"]
@@ -389,6 +390,7 @@ def test_page_keeps_numbers_and_units_together(panel, window):
     assert any(re.search("\\d\u00a0mm", text) for text in told)
 
 
+@pytest.mark.long
 def test_several_selected_rows_show_their_total(panel, opened, window):
     click_row(window, panel, "Bore")
     click_row(window, panel, "Face", QtCore.Qt.ControlModifier)
@@ -500,6 +502,7 @@ def test_analysis_writes_no_table_into_the_report_view(panel, window):
     assert marks.is_marked(FreeCAD.ActiveDocument.getObject("Job"))
 
 
+@pytest.mark.long
 def test_simulation_time_in_the_panel_is_the_time_in_the_marks(panel, opened, window):
     """The panel shows the time of the simulator in the preferences, for jobs as in the tree."""
     try:
@@ -543,6 +546,7 @@ def sign(panel, label):
     return index.data(QtCore.Qt.DecorationRole)
 
 
+@pytest.mark.long
 def test_warning_signs_in_the_panel_equal_signs_in_the_tree(panel, opened, window):
     """A row with a time over the budget has the sign ⚠ and a faster way; the tree has the sign in the same rows."""
     harmless = [label for label, text in column(panel, "Notes").items() if text and not sign(panel, label)]
@@ -583,6 +587,7 @@ def test_only_rows_over_the_budget_have_a_warning(panel, opened, window):
         window.settle()
 
 
+@pytest.mark.long
 def test_operation_with_another_strategy_has_a_remark(panel, opened, window):
     face, pocket = labelled(opened, "Face"), labelled(opened, "Pocket around island")
     assert not any("called" in remark for remark in column(panel, "Warnings").values())
@@ -600,6 +605,7 @@ def test_operation_with_another_strategy_has_a_remark(panel, opened, window):
     window.screenshot("panel-mismatch")
 
 
+@pytest.mark.long
 def test_faulty_operations_have_a_remark(panel, opened, window):
     bore = labelled(opened, "Bore")
     bore.ToolController = None
@@ -621,6 +627,7 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     )  # further remarks depend on the computer's speed
 
 
+@pytest.mark.long
 def test_operation_switched_off_is_updated_without_analysis(panel, opened, window):
     window.analyze(opened)
     window.dismiss()
@@ -639,6 +646,7 @@ def test_operation_switched_off_is_updated_without_analysis(panel, opened, windo
     window.wait(lambda: column(panel, "Strategy") == on and text_of(panel) == text)
 
 
+@pytest.mark.long
 def test_switched_off_operation_is_not_an_error(panel, opened, window):
     face = labelled(opened, "Face")
     face.Active = False
@@ -663,6 +671,7 @@ def test_switched_off_operation_is_not_an_error(panel, opened, window):
     window.wait(lambda: column(panel, "Strategy")["Face"] == "zigzag")
 
 
+@pytest.mark.long
 def test_analysis_fills_the_panel_once_in_its_own_event(panel, opened, window, monkeypatch):
     """If the analysis also filled the panel, the window would be blocked for both."""
     find, events = findings.read_findings, []
@@ -702,6 +711,7 @@ def test_rows_of_the_panel_follow_changes_of_the_document(panel, opened, window)
     window.wait(lambda: len(labels(panel)) > 3)
 
 
+@pytest.mark.long
 def test_row_of_a_job_agrees_with_its_mark(panel, opened, window):
     job, chosen = opened.getObject("Job"), preferences.read()
 
@@ -739,6 +749,7 @@ def test_note_explains_a_different_cycle_time_of_freecad(panel, opened, window):
     job.CycleTime = before
 
 
+@pytest.mark.long
 def test_other_table_rows_stay_when_one_is_analyzed_again(panel, opened, window):
     count = len(labels(panel))
     Gui.Selection.addSelection(labelled(opened, "Face"))
@@ -747,6 +758,7 @@ def test_other_table_rows_stay_when_one_is_analyzed_again(panel, opened, window)
     assert len(labels(panel)) == count
 
 
+@pytest.mark.long
 def test_total_of_a_selection_has_a_remark(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
@@ -847,6 +859,7 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         FreeCAD.setActiveDocument(opened.Name)
 
 
+@pytest.mark.long
 def test_z_buffer_total_is_the_same_everywhere(opened, window, tmp_path):
     """Report, mark, panel and page show the same z-buffer total, also after reopening the document."""
     results, again = None, None
@@ -882,6 +895,7 @@ def test_z_buffer_total_is_the_same_everywhere(opened, window, tmp_path):
         window.settle()
 
 
+@pytest.mark.long
 def test_cleared_results_are_not_shown(panel, opened, window):
     window.click("Clear Analysis")
     window.wait(lambda: labels(panel) == [])
@@ -910,6 +924,7 @@ def test_page_without_a_document_shows_a_hint(window):
     dock(window).hide()
 
 
+@pytest.mark.long
 def test_same_time_is_shown_everywhere(panel, opened, window, tmp_path):
     """Mark, tooltip, list, page, warning, table and CSV show the same time, rounded in the same way."""
     report, chosen = vkworkbench.analyze(opened), preferences.read()

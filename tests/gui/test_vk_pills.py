@@ -217,6 +217,7 @@ def test_text_beside_a_pill_is_readable(marked, window, theme):
     assert contrast(shades[0], shades[-1]) >= 4.5
 
 
+@pytest.mark.long
 def test_pills_can_be_switched_off(marked, window):
     preferences = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/VkWorkbench")
     color = marks.read(labelled(marked, "Face")).strategy.color
@@ -247,6 +248,7 @@ def test_tooltip_has_reason_and_times(marked, window):
     assert "a &lt;b&gt;&amp;c remark" in tooltip(window, "Face")
 
 
+@pytest.mark.long
 def test_words_of_the_user_equal_to_the_mark_can_be_edited(marked, window):
     face = labelled(marked, "Face")
     own = marks.read(face).text
@@ -294,6 +296,7 @@ def test_warning_sign_is_in_sight_if_the_column_exceeds_the_tree(marked, window)
         window.settle()
 
 
+@pytest.mark.long
 def test_text_of_a_pill_in_a_narrow_column_is_elided(marked, window):
     label, view = "Pocket around island", window.tree
     width = view.columnWidth(tree.DESCRIPTION)
@@ -331,6 +334,7 @@ def test_tooltip_is_not_taken_from_another_document(marked, window):
         tooltip(window, "Face")).toPlainText()  # fmt: skip
 
 
+@pytest.mark.long
 def test_mark_without_a_stock_stays_outdated_after_a_copy(opened, window):
     job, face = opened.getObject("Job"), labelled(opened, "Face")
     job.Stock = opened.addObject("Part::FeaturePython", "NothingYet")
@@ -404,6 +408,7 @@ def test_marks_that_a_macro_writes_are_shown_as_pills(opened, window):
     assert share(picture(window, "Face"), Strategy.ZIGZAG.color) > 0.1
 
 
+@pytest.mark.long
 def test_sixty_marks_are_laid_out_once(opened, window):
     """FreeCAD 1.x lays the tree out after each change of a text; 60 marks must cause no more layouts than one."""
     from vkworkbench.gui import commands

@@ -6,6 +6,7 @@ from dataclasses import replace
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
+from cases import first_everywhere
 from preferences_dialog import in_preferences
 from PySide import QtCore, QtGui
 
@@ -82,7 +83,7 @@ def test_page_shows_defaults_and_keeps_changes(opened, with_page, window):
     assert preferences.read() == expected
 
 
-@pytest.mark.parametrize("schema", [0, 3, 5, 7])  # schemas: mm, inches, and two other imperial ones
+@pytest.mark.parametrize("schema", first_everywhere([3, 0, 5, 7]))  # schemas: inches, mm, and two other imperial ones
 def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
     before = Preferences(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     preferences.write(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
@@ -144,7 +145,7 @@ def test_calibrate_button_measures_and_shows_the_date(with_page, restored_calibr
     assert seen[2] == seen[1]
 
 
-@pytest.mark.parametrize("points", [0, 14])
+@pytest.mark.parametrize("points", first_everywhere([14, 0]))
 def test_fields_are_high_enough_in_freecads_dialog_size(points, with_page, window, default_speeds):
     """FreeCAD 1.x opens its dialog with 819 x 500 pixels for every page."""
     application = QtGui.QApplication.instance()

@@ -12,6 +12,7 @@ import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 import pytest
+from cases import first_everywhere
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, close, drag, finest, shown, tabs, working
 
@@ -485,6 +486,7 @@ def test_job_with_nothing_to_simulate_shows_a_message(desk, window):
     FreeCAD.closeDocument(document.Name)
 
 
+@pytest.mark.long
 def test_part_is_shown_while_reading_continues(desk, window, monkeypatch):
     monkeypatch.setattr("vkworkbench.gui.simulation.reading._FIRST", 0.0)
     desk.kept(desk.small)
@@ -499,6 +501,7 @@ def test_part_is_shown_while_reading_continues(desk, window, monkeypatch):
     assert tab.player.view._scene is not scene
 
 
+@pytest.mark.long
 def test_cost_is_shown_before_and_after_the_simulation(desk, window, monkeypatch):
     told = []
 
@@ -520,6 +523,7 @@ def test_cost_is_shown_before_and_after_the_simulation(desk, window, monkeypatch
     assert player.state.text() in player.state.toolTip().replace("\xa0", " ")
 
 
+@pytest.mark.long
 def test_surface_is_computed_before_the_picture(desk, window, monkeypatch):
     made = []
 
@@ -567,6 +571,7 @@ def make_crash(document):
     return op
 
 
+@pytest.mark.long
 def test_faults_are_the_same_from_every_side(desk, document, window):
     op = make_crash(document)
     player = shown(desk.simulate(), window)
@@ -608,7 +613,7 @@ def test_entry_of_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
     box.deleteLater()
 
 
-@pytest.mark.parametrize("wide", [True, False])
+@pytest.mark.parametrize("wide", first_everywhere([False, True]))
 def test_line_of_text_is_whole_or_ends_in_an_ellipsis(window, wide):
     line, text = OneLine(window.main), "1,024 × 768 pixels of 0.1 mm, 90,000 traces <b>"
     line.show_text(text)

@@ -84,6 +84,7 @@ def test_simulation_over_the_memory_budget_is_coarser():
     assert (frame.width, frame.height) == refused.value.size and 300 < frame.width < 600
 
 
+@pytest.mark.long
 def test_simulation_over_time_budget_is_coarser():
     job = job_of(*[SLOT] * 20)
     whole = estimate_job(job.cuts, stock=STOCK, view=View((0, 0, -1), 1200, 800)).seconds

@@ -11,6 +11,7 @@ import FreeCAD
 import FreeCADGui as Gui
 import numpy as np
 import pytest
+from cases import first_everywhere
 from make_example import cam
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, drag, finest, make_small, shown, tabs, working
@@ -37,14 +38,14 @@ def close(tab, window):
 
 PHASES = {
     "opened": lambda tab: True,
+    "coarse": lambda tab: tab.player is not None and tab.player.simulation is not None,
     "read": lambda tab: tab.reading.seen is not None or tab.player is not None,
     "shown": lambda tab: tab.player is not None,
-    "coarse": lambda tab: tab.player is not None and tab.player.simulation is not None,
     "told": lambda tab: tab.player is not None and tab.player.drawing.findings is not None,
 }
 
 
-@pytest.mark.parametrize("phase", PHASES)
+@pytest.mark.parametrize("phase", first_everywhere(PHASES, 2))
 @pytest.mark.parametrize("how", ["key", "document"])
 def test_tab_can_be_closed_in_every_phase(desk, window, monkeypatch, phase, how):
     monkeypatch.setattr("vkworkbench.gui.simulation.reading._FIRST", 0.0)
@@ -71,6 +72,7 @@ def test_closed_tab_frees_its_memory(desk, window):
     assert zbuffer() is None
 
 
+@pytest.mark.long
 def test_closed_tab_returns_memory_to_the_system(desk, window, monkeypatch):
     desk.kept(desk.small)  # closes the tab of an earlier test, whose memory is returned later
     given = []
@@ -82,7 +84,7 @@ def test_closed_tab_returns_memory_to_the_system(desk, window, monkeypatch):
     window.wait(lambda: given == [True])
 
 
-@pytest.mark.parametrize("moment", ["before", "during", "after"])
+@pytest.mark.parametrize("moment", first_everywhere(["during", "before", "after"]))
 def test_operation_is_deleted_while_the_tab_is_open(document, window, moment):
     window.click(COMMAND)
     window.wait(lambda: tabs(window))
@@ -167,7 +169,7 @@ def no_stock(document):
     document.Job.Stock = None
 
 
-@pytest.mark.parametrize("odd", [empty, only_comments, no_tool, no_stock])
+@pytest.mark.parametrize("odd", first_everywhere([empty, only_comments, no_tool, no_stock], 2))
 def test_job_without_a_simulation_shows_a_message(bare, window, odd):
     odd(bare)
     window.click(COMMAND)
@@ -294,12 +296,26 @@ def many_operations(document):
     job.Operations.Group = rows
 
 
-# Unusual moves and sizes affect only the package's own simulation, so they are tested on one FreeCAD.
-ODD_MOVES = [large_part, small_part, only_drilling, all_crashes, moves_without_length, far_away, huge_tool, tiny_tool]
-ODD_OBJECTS = [many_operations, no_model, one_move, no_feed, tiny_stock, flat_stock]
+# Unusual moves and sizes affect only the package's own simulation, so only an unusual model is tested on every FreeCAD.
+ODD_JOBS = [
+    no_model,
+    many_operations,
+    one_move,
+    no_feed,
+    tiny_stock,
+    flat_stock,
+    large_part,
+    small_part,
+    only_drilling,
+    all_crashes,
+    moves_without_length,
+    far_away,
+    huge_tool,
+    tiny_tool,
+]
 
 
-@pytest.mark.parametrize("odd", [*ODD_OBJECTS, *(pytest.param(odd, marks=pytest.mark.long) for odd in ODD_MOVES)])
+@pytest.mark.parametrize("odd", first_everywhere(ODD_JOBS))
 def test_odd_job_is_shown_without_an_error(bare, window, odd):
     odd(bare)
     window.click(COMMAND)
@@ -346,7 +362,7 @@ def test_odd_job_is_shown_without_an_error(bare, window, odd):
     close(tab, window)
 
 
-@pytest.mark.parametrize("how", ["key", "document"])
+@pytest.mark.parametrize("how", first_everywhere(["document", "key"]))
 def test_tab_is_closed_while_it_plays(desk, window, how):
     document = desk.kept(desk.small)
     tab = desk.simulate()
@@ -391,6 +407,7 @@ def test_simulation_shows_no_millimetres_in_an_inch_schema(desk, bare, window):
             set_schema(before)
 
 
+@pytest.mark.long
 def test_tab_is_usable_with_keys_only(desk, window):
     desk.kept(desk.small)
     window.main.setFocus()

@@ -8,6 +8,7 @@ from itertools import combinations
 import FreeCAD
 import numpy as np
 import pytest
+from cases import first_everywhere
 from PySide import QtCore, QtGui
 from simulation_window import COMMAND, SMALL, close, drag, finest, make_small, shown, tabs
 
@@ -69,6 +70,7 @@ def test_command_of_several_moves_shows_its_whole_volume(tab, window):
     assert volume > 1.5 * player.volumes[first]
 
 
+@pytest.mark.long
 def test_removal_rates_are_not_saved_before_they_are_known(desk, window):
     desk.kept(desk.small)
     tab = desk.simulate()
@@ -115,7 +117,10 @@ def switched_off(document):
     document.getObjectsByLabel("Face")[0].Active = False
 
 
-@pytest.mark.parametrize("change", [cut_off, larger_stock, moved, another_operation, other_order, switched_off])
+CHANGES = [larger_stock, switched_off, cut_off, moved, another_operation, other_order]
+
+
+@pytest.mark.parametrize("change", first_everywhere(CHANGES, 2))
 def test_change_is_shown_until_it_is_undone(desk, document, window, change):
     tab = desk.simulate()
     window.wait(lambda: tab.player.known._holds)  # the document has been compared
@@ -172,6 +177,7 @@ def told(op):
     return [remark.code for remark in row.remarks if remark.code == "simulated"]
 
 
+@pytest.mark.long
 def test_outdated_tab_reports_no_faults(desk, document, window):
     document.UndoMode = 1
     op = crash(document)
@@ -191,6 +197,7 @@ def test_outdated_tab_reports_no_faults(desk, document, window):
     assert told(op) == ["simulated"]  # the undo made the faults current again
 
 
+@pytest.mark.long
 def test_change_while_the_job_is_read_is_noticed(desk, document, window, monkeypatch):
     kept = []
     monkeypatch.setattr(
@@ -242,7 +249,7 @@ def rect(widget, within):
     return QtCore.QRect(widget.mapTo(within, QtCore.QPoint(0, 0)), widget.size())
 
 
-@pytest.fixture(scope="module", params=[None, 14])
+@pytest.fixture(scope="module", params=first_everywhere([14, None]))
 def low_tab(request, desk):
     """A tab that shows differences and warnings in the usual font, or in a font of 14 points."""
     tab, points = desk.shared(desk.small, direction="Top"), request.param

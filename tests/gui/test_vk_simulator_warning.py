@@ -95,6 +95,7 @@ def budget_between(document, low, high):
     preferences.write(time_budget=(low(costs) * high(costs)) ** 0.5)
 
 
+@pytest.mark.long
 def test_warning_is_not_shown_within_the_budget(marked, window):
     preferences.write(time_budget=1e5)
     for name in freecad.own_simulators():
@@ -102,6 +103,7 @@ def test_warning_is_not_shown_within_the_budget(marked, window):
         _close(window)
 
 
+@pytest.mark.long
 def test_warning_of_a_long_play_offers_fast_forward(marked, window):
     budget_between(marked, lambda c: c["legacy"].seconds, lambda c: c["legacy"].play_seconds)
     line = warned(window, "legacy")
@@ -168,6 +170,7 @@ def test_closed_simulator_panels_are_deleted(marked, window):
         assert kept() == before
 
 
+@pytest.mark.long
 def test_warning_names_an_operation_that_hangs_the_simulator(marked, window):
     preferences.write(time_budget=1e5)
     _, command = let_hang(marked, "Bore")
@@ -193,6 +196,7 @@ def test_warning_names_an_operation_that_hangs_the_simulator(marked, window):
     window.screenshot("warning-hangs-taken")
 
 
+@pytest.mark.long
 def test_outdated_marks_cause_no_warning(marked, window):
     preferences.write(time_budget=1e5)
     obj, _ = let_hang(marked, "Bore")
@@ -202,6 +206,7 @@ def test_outdated_marks_cause_no_warning(marked, window):
     assert start(window, "legacy") == []
 
 
+@pytest.mark.long
 def test_no_warning_without_marks_or_when_switched_off(marked, window):
     preferences.write(time_budget=0.1, warn_of_simulators=False)
     assert start(window, "legacy") == []

@@ -156,6 +156,7 @@ def test_changed_toolpath_is_coloured_again(opened, window, switched_on):
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines)
 
 
+@pytest.mark.long
 def test_strategies_are_switched_on_for_each_document(opened, window, switched_on):
     assert window.button(SWITCH).isChecked()
     other = FreeCAD.newDocument("Other")
@@ -203,6 +204,7 @@ def test_operation_without_a_view_proxy_is_skipped(opened, window):
     assert nodes(opened) == 0
 
 
+@pytest.mark.long
 def test_rapids_from_the_origin_are_grey(opened, window, tmp_path):
     def red(there):
         # FreeCAD's colours for rapids; FreeCAD 1.1 and later use the second colour.
@@ -219,6 +221,7 @@ def test_rapids_from_the_origin_are_grey(opened, window, tmp_path):
     assert red(there) == 0 and there[colors.RAPID] > 100
 
 
+@pytest.mark.long
 def test_legend_has_the_visible_colours(opened, window, tmp_path):
     Gui.SendMsgToActiveView("ViewFit")
     window.click(SWITCH)
@@ -239,6 +242,7 @@ def legend_colors(tmp_path):
     return set(counted(picture(tmp_path).copy(0, 350, 60, 250)))
 
 
+@pytest.mark.long
 def test_legend_does_not_enlarge_the_scene(opened, window, switched_on):
     from pivy import coin
 
@@ -267,6 +271,7 @@ def long(opened):
     return opened
 
 
+@pytest.mark.long
 def test_events_are_handled_while_200_000_commands_are_drawn(long, window):
     beats, begin = [], time.monotonic()
     timer = QtCore.QTimer()
@@ -284,6 +289,7 @@ def test_events_are_handled_while_200_000_commands_are_drawn(long, window):
     window.click(SWITCH)
 
 
+@pytest.mark.long
 def test_cancelled_drawing_ends_its_thread(long, window, monkeypatch):
     def again_and_again(source, going_on):
         while True:  # otherwise a fast computer could finish before the click

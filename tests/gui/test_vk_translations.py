@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
+from cases import first_everywhere
 from preferences_dialog import in_preferences
 from PySide import QtCore, QtGui
 
@@ -61,7 +62,7 @@ def speaking(language, window):
     close_docks(window)
 
 
-@pytest.fixture(scope="module", params=LANGUAGES)
+@pytest.fixture(scope="module", params=first_everywhere(LANGUAGES))
 def language(request, window):
     with speaking(request.param, window):
         yield request.param
@@ -199,6 +200,7 @@ def test_compiled_translations_are_up_to_date(name):
             assert translator.translate(context.findtext("name"), text) == message.findtext("translation")
 
 
+@pytest.mark.long
 @in_german
 def test_sentences_of_the_example_are_shown_in_german(opened, german):
     for o in vkworkbench.analyze(opened).operations:

@@ -70,6 +70,7 @@ def line_by_line(text, monkeypatch):
         return everything(text)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("first", range(0, 2000, 100))
 def test_random_programs_equal_reading_line_by_line(first, monkeypatch):
     for seed in range(first, first + 100):

@@ -598,6 +598,7 @@ def test_reading_a_call_with_a_million_repeats_ends_at_once(tmp_path, times):
     assert any("would run more than 1,000,000 lines" in render(remark) for remark in row.remarks)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("start, repeated", [("", "/"), ("", "("), ("", "X1"), ("G1 X", "1"), ("", "X[")])
 def test_memory_for_programs_with_long_lines_is_limited(tmp_path, start, repeated):
     line = start + 100_000 * repeated

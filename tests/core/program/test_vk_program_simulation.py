@@ -101,6 +101,7 @@ def test_program_in_inches_is_simulated_in_its_true_size(tmp_path):
     assert "looks like inches" in str(done.facts())
 
 
+@pytest.mark.long
 def test_picture_and_solid_are_saved(program, tmp_path):
     done = vkworkbench.simulate(program, view="Isometric")
     done.save_png(tmp_path / "part.png")

@@ -12,6 +12,7 @@ from vkworkbench.core import linearize, recognize
 SEEDS = range(1000, 1020)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("label, accepted, make", [pytest.param(*s, id=s[0]) for s in SAMPLES])
 def test_most_toolpaths_of_few_moves_are_recognized(label, accepted, make):
     """Nine in ten, with the tool's diameter if the maker returns one."""

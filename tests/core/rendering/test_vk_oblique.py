@@ -122,6 +122,7 @@ def test_picture_agrees_with_the_exact_z_buffer(name, direction):
     assert outline > 0.995 and operation > 0.99 and depth > 0.98
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["everything", "hollow"])
 def test_zoomed_and_panned_pictures_agree_with_the_z_buffer(name):
     for direction, offset in (((-1, 1, -1), (8.0, -3.0)), ((0.4, 1, -0.6), (-12.0, 4.0)), ((1, 1, 1), (5.0, 5.0))):
@@ -133,6 +134,7 @@ def test_zoomed_and_panned_pictures_agree_with_the_z_buffer(name):
         assert outline > 0.995 and operation > 0.98 and depth > 0.98
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("share", [0.0, 0.3, 0.6])
 def test_pictures_of_earlier_moments_agree_with_the_z_buffer(share):
     step = int(share * sum(len(cut.toolpath) for cut in JOBS["everything"][1]))

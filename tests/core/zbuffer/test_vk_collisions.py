@@ -52,6 +52,7 @@ def told(*cuts, **where):
     }
 
 
+@pytest.mark.long
 def test_short_tool_in_deep_pocket_is_found():
     """Cut a pocket 30 mm deep: below 8 mm the shank hits the wall, and below 20 mm the holder hits the stock."""
     moves = pocket(range(38, 8, -2))
@@ -85,6 +86,7 @@ def test_shank_thicker_than_flutes_rubs_in_a_slot(thicker, collides):
     assert found == ({("shank", 1): (1, 1, 6.0)} if collides else {})
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("shank", [4.0, 6.0, None])
 def test_slot_deeper_than_flutes_is_found(shank):
     tool = Tool("endmill", 6, cutting_edge_height=8, shank_diameter=shank)
@@ -116,6 +118,7 @@ def test_shank_hits_a_ridge_before_the_flutes():
     assert told((beside, wide), (along, tool)) == {("flutes", 1): (0, 0, 7.0), ("shank", 1): (0, 0, 7.0)}
 
 
+@pytest.mark.long
 def test_holder_of_given_size_is_checked():
     moves = pocket(range(38, 8, -2))
     tool = replace(MILL, shank_diameter=3, length=25, holder_diameter=20)
@@ -124,6 +127,7 @@ def test_holder_of_given_size_is_checked():
     assert collisions((moves, tool)).holders == (True,) and collisions((moves, MILL)).holders == (False,)
 
 
+@pytest.mark.long
 def test_material_above_the_holder_is_not_hit():
     """The wall begins above the upper end of the holder, like a roof under which the tool moves."""
     tool = Tool("endmill", 6, cutting_edge_height=10, length=15, holder_diameter=20, holder_length=4)
@@ -197,6 +201,7 @@ def reference(moves, tool, body_radius, bottom, before):
     return depths
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("body", ["flutes", "shank"])
 @pytest.mark.parametrize("seed", range(3))
 def test_collisions_agree_with_small_steps(body, seed):

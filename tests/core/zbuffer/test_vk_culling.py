@@ -192,6 +192,7 @@ def test_quarters_of_tiles_are_in_the_image_and_may_be_cut():
     assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]  # no trajectory cuts below row 96
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("heights, cut", [((6.0, 8.0), [0]), ((8.0, 6.0), [0, 2])])
 def test_trajectory_above_an_open_slot_is_culled(heights, cut):
     """Trajectories 0 and 2 are slots, and trajectory 1 is the link.

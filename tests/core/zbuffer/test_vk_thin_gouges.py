@@ -93,6 +93,7 @@ def test_moves_beyond_the_time_limit_are_reported_unchecked():
     assert facts(zbuffer, check_crashes(cuts, PLATE), thin=thin, model=MODEL).verdict.unchecked == thin.unchecked
 
 
+@pytest.mark.long
 def test_gouges_on_fine_rays_replace_gouges_of_the_image():
     wide = cut(*slot(200, 17.0), tool=Tool("endmill", 6))
     cuts = [cut(*slot(50.1, 17.5), *slot(80.1, 17.5)), wide]
@@ -105,6 +106,7 @@ def test_gouges_on_fine_rays_replace_gouges_of_the_image():
     assert [one.source.cut for one in replaced.job.gouges] == [1]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("aside, depth", [(0.0, None), (0.06, None), (0.3, 0.3), (0.7, 0.7)])
 def test_wall_shaved_by_a_wide_tool_is_a_gouge(aside, depth):
     """A wide tool cuts the wall at Y = 100, and then a second time with a sideways offset. Pixels are 0.5 mm."""

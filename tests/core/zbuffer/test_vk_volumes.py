@@ -32,6 +32,7 @@ def slots(diameter, depth, slope):
     return cut, 5 * depth * (300 * np.hypot(1, slope) * diameter + pi / 4 * diameter**2)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("diameter", [0.1, 3.0, 20.0])
 @pytest.mark.parametrize("slope", [0.0, 0.01, 0.06])
 def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
@@ -42,6 +43,7 @@ def test_volume_of_slots_in_a_sheet_is_within_its_error(diameter, slope):
     assert measured.depths[[1, 5]] == pytest.approx(1.5) and measured.depths[3] == 0
 
 
+@pytest.mark.long
 def test_slope_mostly_beside_the_stock_is_measured_finely():
     """Only the first 7 mm of a slope that is 352 mm long are in the stock. The exact volume is from an image of 0.01 mm."""
     stock = Stock((0, 0, 0), (55.5, 276.7, 3.13558877))
@@ -74,6 +76,7 @@ def test_error_is_at_least_one_ray():
     assert agreeing.error(range(1)) == 1.2
 
 
+@pytest.mark.long
 def test_volume_errors_hold_in_95_of_100_jobs():
     """Random slots in all directions, cut by flat tools, have exact volumes."""
     rng, inside = np.random.default_rng(2), 0

@@ -121,6 +121,7 @@ def test_no_ray_passes_between_two_triangles():
             assert volume * 0.125**2 == pytest.approx(prism_volume(corners, height, squares), rel=0.02)
 
 
+@pytest.mark.long
 def test_mesh_triangles_are_sorted_once_per_image(monkeypatch):
     """Sorting is expensive, so it happens once for the silhouette, once for the part and once for the model."""
     seen = []
