@@ -37,8 +37,9 @@ class JobDocument:
         self.job = cam("Main.Job").Create("Job", [block])
         self.document.recompute()
         self.controller = self.job.Tools.Group[0]
-        self.controller.Tool.Diameter = 5
-        self.document.recompute()
+        if self.controller.Tool.Diameter.Value != 5:  # FreeCAD 1.1 models the tool again even if nothing changes
+            self.controller.Tool.Diameter = 5
+            self.document.recompute()
         self.document.UndoMode = 1
 
     def add(self, label, commands, controller=True, job=True):
