@@ -4,6 +4,7 @@
 import FreeCAD
 import FreeCADGui as Gui
 import pytest
+from cases import first_everywhere
 from PySide import QtCore, QtGui
 
 import vkworkbench
@@ -124,7 +125,7 @@ def test_message_if_there_is_nothing_to_analyze(window):
     Gui.runCommand("Vk_Clear")
 
 
-@pytest.mark.parametrize("after", [0, 2])
+@pytest.mark.parametrize("after", first_everywhere([2, 0]))
 def test_document_closed_during_its_analysis_shows_no_message(example_path, window, monkeypatch, after):
     document = FreeCAD.openDocument(str(example_path))
     window.activate("VkWorkbench")

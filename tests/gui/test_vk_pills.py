@@ -206,6 +206,7 @@ def test_description_without_a_mark_is_shown_unchanged(opened, window):
         assert edit(window, "Face", None) == label2
 
 
+@pytest.mark.long
 def test_text_beside_a_pill_is_readable(marked, window, theme):
     image = picture(window, "Face")
     metrics = QtGui.QFontMetrics(window.tree.font())
@@ -278,6 +279,7 @@ def test_pill_has_the_colour_of_its_strategy(marked, window, theme):
     assert marks.is_outdated(drill)
 
 
+@pytest.mark.long
 def test_warning_sign_is_in_sight_if_the_column_exceeds_the_tree(marked, window):
     view = window.tree
     preferences.write(time_budget=0.1)
@@ -316,6 +318,7 @@ def test_text_of_a_pill_in_a_narrow_column_is_elided(marked, window):
     assert bright(image) > 0.005
 
 
+@pytest.mark.long
 def test_tooltip_is_not_taken_from_another_document(marked, window):
     other = FreeCAD.newDocument("Other")
     other.Label = marked.Label

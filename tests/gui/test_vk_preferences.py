@@ -112,6 +112,7 @@ def test_preferences_page_shows_freecads_units(with_page, window):
     assert texts[0].endswith(("in", '"', "thou"))
 
 
+@pytest.mark.long
 def test_pills_can_be_switched_off(with_page, window, opened):
     from vkworkbench.gui.tree import column as tree
     from vkworkbench.gui.tree import pills

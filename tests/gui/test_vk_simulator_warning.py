@@ -141,6 +141,7 @@ def test_warning_ends_with_the_panel_and_the_ticked_operations(marked, window):
     assert lines(window) == []  # the user has closed the warning
 
 
+@pytest.mark.long
 def test_click_after_closing_the_panel_does_nothing(marked, window):
     preferences.write(time_budget=0.1)
     (line,) = start(window, "legacy")

@@ -187,6 +187,7 @@ def test_closed_document_is_removed_from_the_strategy_view(example_path, window)
     assert name not in strategy_view._shown
 
 
+@pytest.mark.long
 def test_operation_without_a_view_proxy_is_skipped(opened, window):
     """An operation made by a macro has no view proxy, so FreeCAD makes no node for the lines of its toolpath."""
     profile = cam("Op.Profile").Create("Macro", parentJob=opened.getObject("Job"))

@@ -239,6 +239,7 @@ def test_numbers_have_the_format_of_the_users_locale(german):
         FreeCAD.Units.setSchema(6)
 
 
+@pytest.mark.long
 @in_german
 def test_mark_panel_and_gauss_map_are_shown_in_german(opened, german, window):
     """Mark, panel and Gauss map have German numbers and no English sentence."""
