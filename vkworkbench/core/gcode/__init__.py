@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert commands and NC programs into toolpaths.
 
-`linearize` converts a list of commands in mm and mm/s, either ``(name, parameters)`` pairs or FreeCAD's objects, into a
-`Toolpath`: straight trajectories with their source commands, and the problems found. `Words` stores the commands as
-columns, for code that needs words which trajectories do not contain.
+`linearize` converts a list of commands into a `Toolpath`, which contains straight trajectories, the command of each
+trajectory, and the problems found. The commands are ``(name, parameters)`` pairs or FreeCAD's objects, in mm and mm/s.
+`Words` converts a list of commands into arrays, with a column for each letter, for code that needs words which a
+`Toolpath` does not contain.
 
 `read_program` converts the text of an NC program into commands. `split_sections` finds the operations and the tools of
-a program, and `title_of` separates titles of operations from other comments. `looks_like_inches`
-returns whether inches were probably read as millimetres, and `looks_like_increments` whether thousandths of a
-millimetre were. `in_seconds` corrects feed rates in mm/min that were read as mm/s.
+a program, and `title_of` separates titles of operations from other comments. `looks_like_inches` returns whether inches
+were probably read as millimetres. `looks_like_increments` returns whether thousandths of a millimetre were probably
+read as millimetres. `in_seconds` corrects feed rates in mm/min that were read as mm/s.
 """
 
 from vkworkbench.core.gcode.blocks import split_comments, split_words

@@ -13,11 +13,13 @@ from itertools import accumulate
 # Spaces between letter and number are allowed (RS274/NGC, Kramer et al. 2000).
 _WORD = re.compile(r"([A-Z@^]|,[ACR])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
-LARGEST_NUMBER = 99_999_999  # largest number of a tool, a block or a program
+LARGEST_NUMBER = 99_999_999  # upper limit for the numbers of program lines and programs, and for numbers of repetitions
 
 
 class Lines:
-    """The lines of a text, which can end with LF, CR or both. A list of the lines would need three times the memory.
+    """The lines of a text, which can end with LF, CR or both.
+
+    Lines are cut out of the text when needed, because a list of all lines would need three times the text's memory.
 
     Parameters
     ----------
@@ -27,8 +29,8 @@ class Lines:
 
     def __init__(self, text: str) -> None:
         self._text = text.replace("\r\n", "\n").replace("\r", "\n")
-        # For each line, the index of its first character in the text. The last element is for a line after the last
-        # line.
+        # For each line, the index of its first character in the text. The last element is the index after the end of
+        # the text.
         self._starts = array("q", accumulate((len(line) + 1 for line in self), initial=0))
 
     def __len__(self) -> int:
@@ -80,7 +82,7 @@ def split_words(code: str) -> tuple[list[tuple[str, float]], str]:
     """Return the words of a line, which must be in capitals and without comments, and the rest of the line's text."""
     parts = _WORD.split(code)
     rest = "".join(parts[::3]).strip()
-    if rest:  # controls ignore spaces, even within a number
+    if rest:  # read the line again without spaces, because controls ignore spaces even within a number
         squeezed = _WORD.split("".join(code.split()))
         if not any(squeezed[::3]):
             parts, rest = squeezed, ""

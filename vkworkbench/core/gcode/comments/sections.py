@@ -21,29 +21,29 @@ from vkworkbench.core.gcode.moves.program import Program
 from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.tool import Tool
 
-# Largest number of titles that differ only in their numbers. If there are more such titles, the numbers count the
-# passes of the program, not the operations.
+# Largest number of titles in a program that differ only in the numbers they contain (such as "Pass 1" and "Pass 2"). If
+# there are more, these titles name passes, and begin no operation.
 MANY_TITLES = 50
 
 _AXES = frozenset("XYZ")
-# pcb-gcode writes these words in one comment, and the tool's diameter in the next comment.
+# pcb-gcode writes the words "Tool Size" in one comment, and the tool's diameter in the next comment.
 _TOOL_SIZE = re.compile(r"\s*tool size\s*", re.IGNORECASE)
 # NX writes the tool's name in one comment, and the tool's diameter in a comment in the next line.
 _TOOL_NAME = re.compile(r"\W*(?:tool(?:\s*(?:name|no\.?|number|type|desc\w*))?\s*[:=#]|T\d+\b)", re.IGNORECASE)
 _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.,]+", re.IGNORECASE)
-# Comments that describe a tool without its name.
+# Comments that describe a tool, but do not contain the tool's name.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
-# The name of a FreeCAD tool controller. Unlike other tool descriptions, this name is also a title: it begins an
-# operation that has no other title, even for a control without M6.
+# The name of a FreeCAD tool controller, which begins an operation like a title. In programs for controls without M6,
+# only this name shows the tool change.
 _CONTROLLER = re.compile(r"\s*TC: \S")
-# Below this comment, Estlcam lists the tools in further comments.
+# Estlcam writes this comment, and then lists the program's tools, each in a comment.
 _REQUIRED_TOOLS = re.compile(r"\s*required tools:\s*", re.IGNORECASE)
 # Fusion lists the tools at the top of the program, and writes the comment on each tool below its tool change.
 _TOOL_OF_FUSION = re.compile(r"\s*T\d+\s+D=\S+\s+CR=", re.IGNORECASE)
 _MESSAGE = re.compile(r"\s*MSG\b\s*,?\s*", re.IGNORECASE)  # MSG shows the rest of the comment to the operator
 
-# Comments at the begin and at the end of an operation, from py2gcode, FreeCAD, and FreeCAD's post processor for UCCNC.
-# The comments between a begin and an end describe the operation's parameters and passes.
+# Comments at the beginning and at the end of an operation, written by py2gcode, FreeCAD, and FreeCAD's post processor
+# for UCCNC. Comments within the operation describe its parameters and passes, and are not titles.
 _FROM = re.compile(r"Begin (\w+)|(?i:begin operation|operation start): (\S.*)")
 _TO = re.compile(r"End (\w+)|(?i:(?:finish|end) operation|operation done): (\S.*)")
 
@@ -77,7 +77,8 @@ class _Mark(NamedTuple):
     Attributes
     ----------
     at, line : int
-        Index of the command after the comment, or of the tool change; and line of the comment or tool change.
+        `at` is the index of the command after the comment, or of the tool change command. `line` is the line of the
+        comment or tool change.
     what : str, float or None
         The comment's text, or the number of the new tool; None if no T word names the tool.
     called : bool
@@ -178,7 +179,7 @@ class _Groups:
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
-        self._begun = ""  # name of the operation between a begin comment and an end comment; otherwise empty
+        self._begun = ""  # name of the operation whose begin comment was read, but not its end comment; otherwise empty
         # The tools that the comments read so far describe.
         self._known: dict[int, Tool] = _only_required_tool(program)
         self._is_fusion = any(_TOOL_OF_FUSION.match(text) for _, _, text in program.comments)
@@ -229,7 +230,7 @@ class _Groups:
         return title
 
     def _tool(self, line: int, told: ToldTool, name: str) -> None:
-        """Store the tool that a comment describes, by its number; a tool without a number is for the next operation."""
+        """Store the tool that a comment describes under its number, or for the next cuts if the number is missing."""
         group, number = self.groups[-1], told.number
         change = line if line in self._changes else group.change
         if number is None and change is not None and line not in self._changes:
@@ -238,8 +239,8 @@ class _Groups:
             group.known = self._known = {**self._known, number: told.tool}
             group.tool_name = name if number == group.number else group.tool_name
         elif told.from_here or group.tool is None or change not in (None, group.told):
-            # A tool that was described in the line of the tool change is kept, unless this comment is from CutViewer
-            # (`from_here`) or belongs to another tool change.
+            # A later comment does not replace a tool that was described in the line of the tool change, unless the
+            # later comment is for CutViewer (`from_here`) or in the line of another tool change.
             group.tool, group.tool_name, group.told = told.tool, name, line
 
 
@@ -366,7 +367,7 @@ def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
 
 
 def _held(all_codes: np.ndarray, group: tuple[int, ...]) -> np.ndarray:
-    """Return the last code of a group up to each command, (n,) int; -1 before the group's first code."""
+    """Return the code of a modal group in force at each command, (n,) int; -1 before the first code of the group."""
     last = np.maximum.accumulate(np.where(np.isin(all_codes, group), np.arange(len(all_codes)), -1))
     held: np.ndarray = np.where(last >= 0, all_codes[last], -1)
     return held

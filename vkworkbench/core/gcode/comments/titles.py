@@ -16,8 +16,8 @@ _TITLED = re.compile(
 # A title and a tool in one comment, as written by Fusion's post processor for Marlin and by SheetCam.
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
 _STARTING = re.compile(r"starting (\S.*) op$")  # a title as Kiri:Moto writes it
-# Comments that are not titles. In these comments, post processors describe themselves, the machine, modes, or moves
-# within an operation.
+# Comments that are not titles: post processors write them to describe the post processor, the machine, its modes, or
+# moves within an operation.
 _REMARK = re.compile(
     r"""
     \W*$ | [-+.\d\s/:*x%]+$ | .{80} | .*(?:https?://|\.(?:cps|pp|ulp|h|stl|svg|brd|tpl|gmax|txt|nc|ngc|tap)\b)

@@ -17,8 +17,8 @@ from functools import lru_cache
 from vkworkbench.core.gcode.moves.units import INCH
 from vkworkbench.core.tool import Tool
 
-# Largest diameters of a tool, mm: with a unit in the comment, and without a unit. With a higher second limit, 14 END
-# MILL is read as a tool of 14 inches (356 mm), and 265bit as a tool of 265 mm.
+# Largest diameters of a tool, mm: if the comment contains a unit, and if it contains no unit. If the limit without a
+# unit is higher, 14 END MILL is read as a tool of 14 inches (356 mm), and 265bit as a tool of 265 mm.
 _LARGEST, _LARGEST_BARE = 500.0, 150.0
 
 _NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
@@ -63,7 +63,7 @@ _CUTVIEWER = re.compile(
 _ACROSS = rf"(?:(?:mm|in)?(?:\s+[x×]\s+|[x×])(?:{_FRACTION}|{_NUMBER}))*"
 _WITH_UNIT = rf"(?<![\d.,/])(?<!\bthan ){_SIZE}{_ACROSS}\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b|\")"
 _MEASURED = re.compile(rf"{_WITH_UNIT}(?!\s*(?:l|loc|oal)\b)", re.IGNORECASE)
-# A number with a unit after the tool word. If the word for another measure follows, the number is not the diameter.
+# A number with a unit after the tool word. If a word such as LENGTH or SHANK follows, the number is not the diameter.
 _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
@@ -76,7 +76,7 @@ _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
 _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment with this word describes several tools
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
-_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # the place between the two words in toolDiam: 0.125
+_TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # in toolDiam: 0.125, a space is inserted before "Diam"
 _IN_BOTH = re.compile(
     r"(?<![\d.])(?P<mm>\d+(?:\.\d+)?\s*mm)\s*/\s*(?P<inches>\d*\.\d+)(?!\d|\s*mm)", re.IGNORECASE
 )  # a size in mm and in inches, as in 11mm / .433
@@ -100,9 +100,10 @@ _BEHIND = re.compile(
 )
 # A number after a threading tool is the pitch of the thread.
 _THREAD = re.compile(r"thread|gewinde|rosca|filet", re.IGNORECASE)
-# Beside these words, a diameter is a diameter of the part, not of the tool.
+# In a comment with one of these words, a diameter belongs to the part, not to the tool.
 _OF_PART = re.compile(r"\b(?:bore|boss|circle|hole|pocket)s?\b|bohrung|tasche", re.IGNORECASE)
-# Numbers that are not a diameter: the number of a drill in a table, the number of an operation, and a count of sizes.
+# Numbers that are not a diameter: a drill's gauge number (#7), an operation's number (OP 2), and a number of sizes (3
+# SIZES).
 _OTHER_NUMBER = re.compile(
     r"(?:#|\b(?:no|nr|op|job)\b\.?|\bnumber)\s*\d+(?![./\d])|(?<![\d./])\d+(?=(?:\s+\w+){0,2}\s+sizes\b)", re.IGNORECASE
 )
@@ -205,7 +206,7 @@ def _spaced(comment: str) -> str:
 
 
 def _in_mm(both: re.Match[str]) -> str:
-    """Return the mm of a size in mm and inches; if the numbers are different sizes, return the unchanged text."""
+    """Return the part in mm of a size given in mm and in inches; the whole text if these two sizes differ."""
     mm, from_inches = float(both["mm"][:-2]), float(both["inches"]) * INCH
     return both["mm"] if abs(from_inches - mm) < 0.02 * mm else both[0]
 

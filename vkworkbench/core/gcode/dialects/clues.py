@@ -106,7 +106,7 @@ class Clues:
         for letter in "ABC":
             value = parameters.get(letter)
             if value is not None and value != self._turns.get(letter):
-                if cuts and (value or letter in self._turns):  # before its first word, an axis is at 0
+                if cuts and (value or letter in self._turns):  # an axis is at 0 until its first word
                     self.rotary.append(line)
                 self._turns[letter] = value
         if self._incremental is None and not {"U", "W"}.isdisjoint(parameters):

@@ -38,10 +38,10 @@ class Dialect:
 
 RS274 = Dialect()  # LinuxCNC, and also Fanuc, Haas, Mach3 and grbl
 SIEMENS = Dialect(feeds_in_mm=frozenset([700, 710]))
-RAW_PATH = Dialect(feed_time=1.0)  # the text of a path from FreeCAD that no post processor wrote
+RAW_PATH = Dialect(feed_time=1.0)  # the text of a FreeCAD path, not converted by a post processor
 HEIDENHAIN = Dialect(  # DIN/ISO
     codes=frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910]),
-    data=frozenset([300, 310, 990]),  # definitions of the blank and of tools
+    data=frozenset([300, 310, 990]),  # G30, G31 and G99 define the stock and tools
     has_pole=True,
     calls=False,
 )

@@ -25,7 +25,8 @@ _SIEMENS_WORD = re.compile(
 )
 _SIEMENS_CYCLE = re.compile(r"^(?:/\d?\s*)?(?:N\s*\d+\s*)?(?:CYCLE\d+|POCKET\d|SLOT\d|HOLES\d|LONGHOLE)\s*\(")
 _LINE_NUMBER = re.compile(r"^N\s*\d+\s*")
-# Lines with these texts are for a Fanuc control or LinuxCNC, and can contain any name.
+# Macro lines for Fanuc controls and LinuxCNC, whose variable names can look like words of a Siemens or Heidenhain
+# control.
 _VARIABLES = re.compile(r"#|IF|GOTO")
 # Lines that occur only in programs for Siemens controls, and that can be read as plain G-code.
 _OF_SIEMENS = re.compile(
@@ -33,8 +34,8 @@ _OF_SIEMENS = re.compile(
     re.MULTILINE | re.IGNORECASE,
 )
 _INCHES_OF_SIEMENS = re.compile(r"\bG70(?!\d)", re.IGNORECASE)
-# A move with a feed rate in the text of a FreeCAD path that no post processor wrote. The words are in the order of the
-# alphabet and have six decimals; feed rates are in mm/s.
+# A move with a feed rate in the text of a FreeCAD path that was not converted by a post processor. The words are in the
+# order of the alphabet and have six decimals; feed rates are in mm/s.
 _FEEDS = re.compile(r"^\s*(?:N\d+\s*)?G0*[1-3]\b[^(;\n]*F.*$", re.MULTILINE | re.IGNORECASE)
 _FEED_OF_PATH = re.compile(r"G[123] F\d+\.\d{6}(?: [I-KX-Z]-?\d+\.\d{6})+ *\r?")
 

@@ -15,7 +15,8 @@ from vkworkbench.core.gcode.flow.ended import Ended, Unreadable
 from vkworkbench.core.gcode.flow.variables import Variables
 from vkworkbench.language import Message
 
-# The steps of a calculation, in order. Each step has a kind, and the number, name or function that the step uses.
+# An expression as a postfix list, which is calculated in order with a stack. Each item is one of the kinds below, with
+# the number, name or function that the item uses.
 Postfix = Tuple[Tuple[int, Any], ...]
 _NUMBER, _NEGATE, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(9)
 
@@ -104,7 +105,7 @@ class Parser:
         return (*code, (_NEGATE, None)) if negative else code
 
     def variable(self) -> Postfix:
-        """Read the number or name of a variable after its ``#``; return the steps that read the variable's value."""
+        """Read the number or name of a variable after its ``#``; return the postfix list of the variable's value."""
         name = self.match(_NAME)
         if name:
             return ((_NAMED, name[1]),)
@@ -241,6 +242,6 @@ def _result(function: Callable[..., float], *values: float) -> float:
         result = function(*values)
     except (ArithmeticError, ValueError):
         raise Ended(Message("no-result")) from None
-    if not -_LARGEST < result < _LARGEST:  # NaN also fails this comparison
+    if not -_LARGEST < result < _LARGEST:  # a NaN also raises Ended, because comparisons with NaN are false
         raise Ended(Message("no-result"))
     return result

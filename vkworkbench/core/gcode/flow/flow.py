@@ -26,7 +26,8 @@ DEEPEST = 10  # largest depth of nested calls of subprograms
 MOST_COMMANDS = 5_000_000
 
 _UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # an assignment to a variable, in a line that cannot be parsed
-# The beginning of a statement that decides which line follows. The rest of the statement can have an error.
+# The beginning of a control statement (jump, loop, condition or call). The rest of the statement possibly contains an
+# error.
 _JUMP = re.compile(
     r"(?:N\d+)?(?:(?:IF|WHILE)\[|GOTO[\d#\[]|O(?:\d+|<[^<>]*>)(?:(?:END)?(?:SUB|IF|WHILE|REPEAT)|CALL|ELSE|DO|RETURN|BREAK|CONTINUE))"
 )
@@ -80,7 +81,8 @@ class Flow:
         self._read = 0
         self._idle = 0
         self._commands = 0
-        # For each line index: `Variables.changes` at the last jump back from this line.
+        # Value of `Variables.changes` at the last jump back from a line, by the index of the line. An unchanged value
+        # at the next jump back from the line indicates an endless loop.
         self._jumps: dict[int, int] = {}
         self._steps = 0
 
@@ -167,7 +169,7 @@ class Flow:
         self.depth -= 1
 
     def enter(self, frame: Frame | None) -> None:
-        """Begin a run of a subprogram; without a frame, the subprogram uses the variables of its caller."""
+        """Begin a run of a subprogram with its own variables `frame`, or if None, with the variables of its caller."""
         self._variables.changes += 1
         if frame is not None:
             self._variables.frames.append(Frame(dict(frame.numbers)))
@@ -277,7 +279,7 @@ class Flow:
         return line
 
     def _skip(self, index: int, _control: Control) -> Step:
-        """Continue after the end of a block: at the end of a branch, at BREAK, or at the definition of a subprogram."""
+        """Continue after the end of an IF, of a loop (at BREAK), or of the definition of a subprogram."""
         block = self._block(index)
         if block.kind == "SUB":
             self.passed.add(index)
@@ -345,11 +347,11 @@ class Flow:
         return self._go_to(index, control) if self._value(control.values[0]) else Step()
 
     def _if_then(self, _index: int, control: Control) -> Step:
-        """Perform an assignment with a condition.
+        """Perform an assignment on a condition (IF-THEN).
 
-        If the condition depends on the machine, the assigned variables are unknown from there on, and reading
-        continues. An assignment to #3000, which raises an alarm, is then ignored, because a control that raises the
-        alarm stops.
+        If the condition depends on the machine, the values of the assigned variables are unknown after this line, and
+        reading continues. A conditional assignment to #3000, which raises an alarm, is ignored, because the lines that
+        follow only run if the control raises no alarm.
         """
         then = control.then
         if then is None:

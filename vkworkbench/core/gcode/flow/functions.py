@@ -7,13 +7,13 @@ Angles are in degrees. The functions raise ArithmeticError or ValueError if a co
 from __future__ import annotations
 
 import math
-from typing import Any, Callable  # evaluated at run time, for which Python 3.8 needs typing
+from typing import Any, Callable  # not from collections.abc, whose Callable has no [] in Python 3.8
 
 Unary = Callable[[float], float]
 Binary = Callable[[Any, Any], float]
 
 _EQUAL = 1e-4  # LinuxCNC: EQ is true if two numbers differ by less than this
-_WHOLE_BITS = 1 << 53  # larger whole numbers are not exact in a float
+_WHOLE_BITS = 1 << 53  # whole numbers above this limit are not exact in a float
 
 LOGICAL = frozenset(["AND", "OR", "XOR"])
 COMPARISONS = frozenset(["EQ", "NE", "GT", "GE", "LT", "LE"])

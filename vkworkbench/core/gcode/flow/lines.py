@@ -55,11 +55,9 @@ class Words:
     Attributes
     ----------
     assigned : tuple of (Postfix, Postfix)
-        For each assignment, the calculation steps that would read the variable, and the steps that calculate the new
-        value.
+        For each assignment, the postfix list that reads the variable, and the postfix list of the new value.
     pieces : tuple of (str, str, Postfix)
-        For each word with a computed value: the text before the word, the letter, and the calculation steps for the
-        value.
+        For each word with a computed value: the text before the word, the letter, and the postfix list of the value.
     rest : str
         The text after the last word with a computed value.
     """
@@ -170,7 +168,7 @@ def _if(parser: Parser) -> Control:
 def _words(parser: Parser) -> Words:
     assigned: list[tuple[Postfix, Postfix]] = []
     pieces: list[tuple[str, str, Postfix]] = []
-    code, begin = parser.code, parser.at  # `begin` is the index of the first character after the last piece
+    code, begin = parser.code, parser.at  # `begin` is the index of the first character that `pieces` does not contain
     while parser.peek():
         at, character = parser.at, parser.peek()
         if character == "#":

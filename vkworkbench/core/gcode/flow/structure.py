@@ -29,11 +29,11 @@ class Block:
     Attributes
     ----------
     kind : str
-        The keyword with which the block begins; ``DO-N`` for a loop of a Fanuc control.
+        The keyword at the beginning, e.g. WHILE, IF or SUB; ``DO-N`` for a loop of a Fanuc control.
     marks : list of int
-        Indices of the block's first line, of its ELSEIF and ELSE lines, and of its last line.
+        Indices of the first line, of the ELSEIF and ELSE lines, and of the last line.
     closed : bool
-        Whether the NC program contains the end of the block, which is then the last element of `marks`.
+        Whether the NC program contains the last line, whose index is then the last element of `marks`.
     """
 
     kind: str
@@ -42,12 +42,12 @@ class Block:
 
     @property
     def first(self) -> int:
-        """Index of the block's first line."""
+        """Index of the first line of the loop, condition or subprogram."""
         return self.marks[0]
 
     @property
     def last(self) -> int:
-        """Index of the block's last line."""
+        """Index of the last line of the loop, condition or subprogram."""
         return self.marks[-1]
 
 
@@ -64,8 +64,7 @@ class Structure:
     Attributes
     ----------
     blocks : dict of int to Block
-        The block of each line that begins, divides or ends a block, or that leaves or continues a loop, by the index of
-        the line.
+        The loop, condition or subprogram to which a control statement belongs, by the index of the statement's line.
     subprograms : dict of str to Block
         Subprograms, by the labels of the O-words that define the subprograms.
     """
@@ -74,8 +73,8 @@ class Structure:
         self.blocks: dict[int, Block] = {}
         self.subprograms: dict[str, Block] = {}
         heads = frozenset(heads)
-        # Blocks without an end so far, by subprogram and label. O-words with the same label in different subprograms
-        # are different blocks.
+        # The loops, conditions and subprograms whose end is not read yet, by subprogram and label. Different
+        # subprograms can use the same label for different loops and conditions.
         self._open: dict[tuple[str, str], list[Block]] = {}
         self._within = ""
         for index, line in enumerate(lines):
@@ -118,7 +117,7 @@ class Structure:
         self._add(index, key, ends=False)
 
     def _add(self, index: int, key: tuple[str, str], *, ends: bool) -> None:
-        """Add a line to the innermost block with the given key that has no end so far."""
+        """Add a line to the innermost loop, condition or subprogram with the given key whose end is not read yet."""
         opened = self._open.get(key)
         if not opened:
             return

@@ -19,8 +19,8 @@ PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call program P
 _CALL_LETTERS = frozenset("PpOo:")  # a line without these letters neither calls nor begins a program
-# Patterns that occur only in programs for LinuxCNC, and only in programs for Fanuc controls. If no pattern of LinuxCNC
-# occurs, a program number (O1000) is also a sign of a Fanuc control.
+# Patterns that occur only in programs for LinuxCNC, and patterns that occur only in programs for Fanuc controls. In a
+# text without a LinuxCNC pattern, a program number (O1000) also indicates a Fanuc control.
 _LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
 _FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
 _SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)

@@ -102,7 +102,8 @@ class Variables:
             return _known(values[index])
         if self._fanuc and (index >= _FIRST_OF_FANUC or _KEPT_FROM <= index <= _KEPT_TO):
             raise Unknown(Message("value-of-machine", name=f"#{index}"))
-        if values is not self.frames[-1].numbers or len(self.frames) == 1:  # in a subprogram, an argument can be absent
+        # No report for an unset local variable of a subprogram: it is an argument that the call leaves out.
+        if values is not self.frames[-1].numbers or len(self.frames) == 1:
             self._report(Message("variable-unset"))
         return None if self._fanuc else 0.0
 
@@ -122,7 +123,7 @@ class Variables:
         place = self._place()
         if letter not in place:
             raise Unknown(Message("value-of-machine", name=name))
-        self.changes += 1  # a loop that waits for a position must not count as an endless loop
+        self.changes += 1  # the position can differ in each run of a loop, so the loop is not endless
         return place[letter]
 
     def exists(self, name: str) -> bool:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Compute the tool's path under cutter compensation (G41, G42), for lines and arcs in the XY plane, as in LinuxCNC.
 
-The first compensated move ends beside the programmed end. Then the tool follows offset curves: the distance from the
-programmed path is the tool's radius. At an outer corner, an arc joins two offset curves. At an inner corner, the tool
-leaves the first offset curve at the intersection with the second offset curve. The end of a move is therefore known
-only when the next move is read, which changes the command of the first move.
+The first compensated move ends at a distance of the tool's radius from the programmed end point, perpendicular to the
+programmed path. Then the tool follows offset curves, at a distance of the tool's radius from the programmed path. At an
+outer corner, an arc joins two offset curves. At an inner corner, the tool leaves the first offset curve at the
+intersection with the second offset curve. The end of a move is therefore known only when the next move is read. The end
+point in the command that was already added for the first move is then changed.
 """
 
 from __future__ import annotations
@@ -159,7 +160,7 @@ def _join(
         curve.start = last.end
         return True
     if abs(turn) > pi - _STRAIGHT_ON and not (last.centre is None and curve.centre is None):
-        return False  # a reversal into or out of an arc, which LinuxCNC treats in two ways
+        return False  # at a reversal into or out of an arc, LinuxCNC's path is not determined
     if turn < 0 or turn > pi - _STRAIGHT_ON:
         around = codes.CLOCKWISE if side > 0 else codes.COUNTER_CLOCKWISE
         if mode == codes.RAPID:

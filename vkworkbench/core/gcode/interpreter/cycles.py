@@ -22,7 +22,7 @@ def _fine_boring(machine: Machine, line: Line) -> None:
 
 
 def leave_holes(machine: Machine, mode: int) -> None:
-    """Before a cycle that leaves its hole at feed, select Fanuc's return: at feed to R, then at rapid to the start."""
+    """Select Fanuc's return from a cycle that retracts at feed: at feed to the R plane, then at rapid to the start."""
     if mode in codes.FEED_OUT and machine.modes.retract == codes.TO_START and machine.is_fanuc():
         machine.modes.retract = codes.RAPID_TO_START
         machine.add(codes.name_of(codes.RAPID_TO_START), {})

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Convert the words of an NC program into commands, in mm and mm/s.
 
-This package resolves units, feed rates and the order of words in a line. The commands still contain planes, G90 and
-G91, the centres of arcs, and canned cycles, which `linearize` resolves. Each module contains a table of handlers for
-the G-codes of one subject.
+This package converts units and feed rates to mm and mm/s, and puts the words of each line in the order of execution.
+Planes, G90 and G91, the centres of arcs, and canned cycles are still in the commands, and `linearize` interprets them.
+Each module contains a table of handlers for the G-codes of one subject.
 """
 
 from __future__ import annotations

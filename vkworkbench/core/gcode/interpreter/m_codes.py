@@ -68,7 +68,7 @@ def words_of(m_code: float, letters: set[str], *, first: bool) -> frozenset[str]
     if m_code in _OUTPUTS:
         return frozenset("EQ")
     if m_code == _ORIENT or (m_code in _SPINDLE and letters.isdisjoint("XYZ")):
-        return frozenset("PQR")  # the angle of the spindle, not the R plane of a canned cycle
+        return frozenset("PQR")  # R is the angle of the spindle here, not the R plane of a canned cycle
     if first and (m_code in _SETTINGS or m_code >= _OTHERS_M_CODE):
         return frozenset("ABCEFIJKPQRTUVWXYZ")
     return frozenset()

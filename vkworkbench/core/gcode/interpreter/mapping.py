@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Handle the G-codes that mirror, scale and rotate coordinates, and apply these maps to the words of moves."""
+"""Handle the G-codes that mirror, scale and rotate coordinates, and apply these maps (transformations) to moves."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _LEAST_PERCENTAGE = 100.0  # a scale is in thousandths if it is a whole number a
 
 
 def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
-    """Apply the maps in force to the words of a move.
+    """Mirror, scale and rotate the words of a move by the maps in force.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def _map_point(machine: Machine, move: dict[str, float]) -> None:
 
 
 def _name(machine: Machine) -> str:
-    """Return the name of the G-code whose map is in force."""
+    """Return the name of the G-code that rotates, scales or mirrors the coordinates now."""
     maps = machine.maps
     return "G68" if maps.turn else "G51" if maps.scale else "G51.1" if maps.mirrors else "G10"
 

@@ -20,7 +20,7 @@ AXES = frozenset("XYZIJKR")
 def move_of(machine: Machine, line: Line) -> None:
     """Add the command for a program line: a move, or only a motion or feed rate for later lines."""
     motion, apart, parameters = line.motion, line.apart, line.parameters
-    if motion is None and machine.motion == codes.CANCEL:  # after G80, machines move at rapid
+    if motion is None and machine.motion == codes.CANCEL:  # axis words without a motion code after G80 are a rapid
         motion = codes.RAPID if not AXES.isdisjoint(parameters) and not apart and line.once is None else None
     if motion is not None:
         machine.motion, machine.later, machine.written = motion, None, -1
@@ -31,7 +31,8 @@ def move_of(machine: Machine, line: Line) -> None:
     if feed is not None:
         move["F"] = feed
     if apart or AXES.isdisjoint(move):
-        # The command must have a name: without a name, a command would repeat the canned cycle in force.
+        # The command for a feed rate is named G94, because a command without a name would repeat the canned cycle in
+        # force.
         if motion is not None or feed is not None:
             machine.add("G94" if motion is None else codes.name_of(motion), {} if feed is None else {"F": feed})
             machine.written = machine.written if motion is None else motion
@@ -81,7 +82,10 @@ def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, 
 
 
 def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> None:
-    """Note signs of the machine in a move. Report a move without a Z word after a change of the tool length offset."""
+    """Note words of a move that indicate a lathe or another machine than a mill.
+
+    Report a move without a Z word after a change of the tool length offset.
+    """
     if "Y" in move:
         _note_y(machine, move["Y"])
     if mode in codes.ARCS:

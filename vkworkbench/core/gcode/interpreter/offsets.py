@@ -115,8 +115,8 @@ def _numbered(machine: Machine, number: float, kind: float) -> tuple[int, float]
 def _machine_position(machine: Machine, line: Line) -> None:
     """Process a move to a machine position (G28, G30, G53). The program does not contain machine positions.
 
-    Only a move in Z is stored as a command. The unknown position is reported only if another move follows. An unknown
-    height is not reported if a stop precedes the next move.
+    Only a move in Z is stored as a command. The tool's unknown position is reported only if another move follows in the
+    program. The unknown height is not reported if a program stop or tool change precedes the next move.
     """
     line.apart = True
     axes = line.letters & set("XYZ") or (set() if line.code == codes.MACHINE_COORDINATES else set("XYZ"))

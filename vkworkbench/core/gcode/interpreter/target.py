@@ -43,7 +43,7 @@ def is_polar(parameters: dict[str, float]) -> bool:
 
 
 def polar_step(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
-    """Return the X and Y words, mm, of the next step in a series of moves with relative polar coordinates."""
+    """Return the X and Y words, mm, of the next repeat of a relative move in polar coordinates."""
     unit, words = machine.modes.unit, _cartesian(machine, parameters)
     return {letter: unit * words[letter] for letter in "XY" if letter in words}
 
@@ -89,7 +89,7 @@ def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, f
 def _centred(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
     """Return the words of a move; for an arc, with the centre from the same line or from an earlier line."""
     centre = {letter: move.pop(letter) for letter in "IJK" if letter in move}
-    if centre and machine.modes.relative:  # the words are relative to the tool's position, which is not known here
+    if centre and machine.modes.relative:  # relative centres are not read, because the tool's position is unknown here
         machine.pole = {}
         for letter in centre:
             machine.problem(Message("word-not-read", letter=letter))

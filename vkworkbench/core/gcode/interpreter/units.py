@@ -16,7 +16,7 @@ _HOLE_PATTERN = frozenset("IJKL")  # in a line with one of these words, G70 to G
 
 
 def _state(machine: Machine, line: Line) -> None:
-    """Process a modal G-code that `linearize` resolves, and add it to the commands."""
+    """Process a modal G-code that `linearize` needs, for example G17 or G91, and add it to the commands."""
     code = line.code
     if code in GROUPS:
         setattr(machine.modes, GROUPS[code], code)
@@ -62,7 +62,7 @@ def _tool_length(machine: Machine, line: Line) -> None:
     if length != machine.tool_length:
         machine.tool_length, machine.length_changed = length, machine.moved
     if line.code == 431 and "H" not in line.letters and _MOTIONS.isdisjoint(line.words):
-        line.apart = True  # the Z word is only the length, not the target of a move
+        line.apart = True  # the Z word is the tool's length, not the target of a move
     machine.other(line)
 
 

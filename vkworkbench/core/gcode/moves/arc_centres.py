@@ -63,7 +63,8 @@ def resolve_arcs(
     usable = (turns <= _MOST_TURNS) & (turns % 1 == 0)
     problems.add(rows[~usable & (turns > 1)], Message("turns-not-read"))
     resolved.sweep[:] += np.sign(resolved.sweep) * np.where(usable & (turns > 1), turns - 1, 0) * 2 * np.pi
-    resolved.sweep[unknown_start] = 0.0  # an unknown start equals the end, so the arc has zero length
+    # If the start point is unknown, the arc's sweep is 0, and the arc has zero length.
+    resolved.sweep[unknown_start] = 0.0
     return resolved
 
 

@@ -16,9 +16,9 @@ RAPID, FEED, CLOCKWISE, COUNTER_CLOCKWISE = 0, 10, 20, 30
 ARCS = (CLOCKWISE, COUNTER_CLOCKWISE)
 CHIP_BREAK, PECK, REAMING, BORING, CANCEL = 730, 830, 850, 860, 800
 TAPPING = (740, 840)
-FEED_OUT = (*TAPPING, REAMING, 880, 890)  # cycles that leave the hole at feed
+FEED_OUT = (*TAPPING, REAMING, 880, 890)  # canned cycles that retract at the feed rate
 PECKING = (CHIP_BREAK, PECK)
-CYCLES = (CHIP_BREAK, 740, 810, 820, PECK, 840, REAMING, BORING, 880, 890)  # canned drilling cycles, until CANCEL
+CYCLES = (CHIP_BREAK, 740, 810, 820, PECK, 840, REAMING, BORING, 880, 890)  # canned drilling cycles
 MOTIONS = (RAPID, FEED, *ARCS, *CYCLES)
 SPLINES = (50, 51)
 HOME, HOME_2, MACHINE_COORDINATES = 280, 300, 530  # moves to machine positions, which are not in the program
@@ -28,11 +28,11 @@ PROBES = (382, 383, 384, 385)
 # Modal state.
 XY_PLANE = 170
 PLANES = {XY_PLANE: 17, 180: 18, 190: 19}
-DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the axis of canned cycles in each plane
+DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the drilling axis of canned cycles, by plane
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
 TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
-# G98 of Fanuc controls, under which cycles of FEED_OUT feed only up to R and rise at rapid to the start height. Only
-# this package uses this number.
+# G98 of Fanuc controls, under which FEED_OUT cycles retract at the feed rate to R, and at rapid to the start height.
+# 98.1 is not a G-code of any control: only this package uses this number.
 RAPID_TO_START = 981
 INVERSE_TIME, PER_MINUTE, PER_TURN = 930, 940, 950
 FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
@@ -47,8 +47,8 @@ STATES = (
     TO_START, TO_RETRACT_PLANE, RAPID_TO_START,
 )  # fmt: skip
 
-# `linearize` does not use the groups of codes below, which are only for the text of NC programs.
-# The interpreter adds these codes to the commands, for `linearize`.
+# `linearize` does not use the groups of codes below, which are only for the text of NC programs. The interpreter adds
+# the modal codes in KEPT to the commands, because `linearize` needs them.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
 # Codes that store the position for G28 and G30. Mach3 homes the axes whose words are in the line; LinuxCNC moves the
@@ -92,7 +92,7 @@ def code_of(name: str) -> int:
     name = name.strip().upper()
     if not name:
         return MODAL
-    if name[0] in "(;%/":  # comments, percent signs and disabled lines
+    if name[0] in "(;%/":  # "/" begins a disabled line (block delete)
         return COMMENT
     match = _NAME.fullmatch(name)
     if match is None:

@@ -63,7 +63,7 @@ class Commands:
         """Return the number of parameters of each command, and the letters and the values of all parameters."""
         counts = np.fromiter(map(len, self._letters), np.int64, len(self))
         values, first = np.array(self._values), np.array(self._first)
-        behind = first - (np.cumsum(counts) - counts)  # the array still contains the values of replaced commands
+        behind = first - (np.cumsum(counts) - counts)  # skip the values of replaced commands
         if behind.any() or len(values) > counts.sum():
             values = values[np.repeat(behind, counts) + np.arange(counts.sum())]
         return counts, "".join(self._letters), values

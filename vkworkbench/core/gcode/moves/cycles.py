@@ -20,7 +20,8 @@ class Heights:
 
     def __init__(self) -> None:
         self._begin: float | None = None  # height at the start of the series of cycles; None between two series
-        self.rises = False  # whether R is beyond the height at the start of the series
+        # Whether R is higher than the start of the series, so that the tool rises to R before it moves to the hole.
+        self.rises = False
         self._level = self._depth = 0.0
         self._r = self._z = nan
 
@@ -67,7 +68,9 @@ def heights(
     bottom: np.ndarray,
     to_retract_plane: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Resolve Z in a program with canned cycles. Each cycle starts at the height where the previous motion ended.
+    """Compute the Z coordinates of all commands in a program with canned cycles.
+
+    Each cycle starts at the height where the previous motion ended.
 
     An R or Z word stays in force for the rest of a series of cycles. Under G91, R is relative to the height at the
     start of the series, and Z is relative to R, so all holes in a series have equal depths.
@@ -96,8 +99,8 @@ def heights(
     heights : (m, 4) float64
         Four heights of each cycle, mm: before the cycle, of its R plane, of the hole's bottom, and after the cycle.
     rises : (m,) bool
-        Whether R is beyond the height at the start of the series. If so, the tool rises to R before it moves to the
-        hole, as in LinuxCNC.
+        Whether R is higher than the start of the series. The tool then rises to R before it moves to the hole, as in
+        LinuxCNC.
     """
     absolute = z.copy()
     resolved, rises = np.empty((len(rows), 4)), np.zeros(len(rows), bool)

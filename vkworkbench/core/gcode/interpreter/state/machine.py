@@ -17,7 +17,7 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
-NO_LENGTH = (490, None)  # no tool length offset is in force
+NO_LENGTH = (490, None)  # value of `Machine.tool_length` under G49, without a tool length offset
 
 
 class Machine:
@@ -61,13 +61,13 @@ class Machine:
     moved : bool
         Whether any line has moved the tool.
     away : list of (int, Message)
-        Lines of moves to machine positions since the last other move, with messages. The messages are reported only if
-        another move follows.
+        Lines of moves to machine positions since the last other move, with messages. These messages are reported only
+        if another move follows in the program.
     ended : bool
         Whether the lines read so far contain M2 or M30.
     call : float or None
-        The M-code with which the last line calls a subprogram; None if the line calls none. The caller of `block` must
-        run the subprogram.
+        The M-code with which the last line calls a subprogram; None if the line calls none. The caller of the method
+        `block` must read the subprogram's lines.
     calls_blocks : bool
         Whether the program calls subprograms by block numbers (M97, or M98 with Q).
     tool_length : tuple
@@ -160,8 +160,8 @@ class Machine:
     def moves_plainly(self) -> bool:
         """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
 
-        While this is true, `plain_lines` reads many lines at once, without the handlers of this package. Every state
-        that changes moves in another way, or that adds messages, must be excluded here.
+        While this is true, `plain_lines` reads many lines at once, without the handlers of this package. If another
+        state of the machine changes the commands of moves, or leads to messages, this property must be False.
         """
         return (
             self.moved
@@ -256,7 +256,7 @@ class Machine:
         return {axis: round((value - self.origins.of(axis)) / self.modes.unit, 9) for axis, value in here.items()}
 
     def stop(self) -> None:
-        """Note a stop at which the operator or the tool changer can move the tool, so that its height is safe."""
+        """Note a program stop or tool change."""
         self.stopped = True
         self.away = [(line, what) for line, what in self.away if what.code != "machine-height"]
 
@@ -267,4 +267,4 @@ class Machine:
             self.first_unit = self.modes.unit
 
 
-Handler = Callable[[Machine, Line], None]  # processes one G-code of a line
+Handler = Callable[[Machine, Line], None]  # a function that processes one G-code of a program line

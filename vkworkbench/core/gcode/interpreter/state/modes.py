@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.units import INCH
 
-# The groups of G-codes that `linearize` resolves, as fields of `Modes`.
+# The fields of `Modes` that store modal G-codes for `linearize`, by the code.
 GROUPS = {
     **dict.fromkeys(codes.PLANES, "plane"),
     codes.ABSOLUTE: "distance",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Define the straight lines and arcs of the tool's path beside a programmed path, and compute with them.
+"""Define the offset curves of cutter compensation (straight lines and arcs), and compute their intersections.
 
 A point in the plane is a complex number, mm.
 """

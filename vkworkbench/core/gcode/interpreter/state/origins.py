@@ -12,7 +12,8 @@ from typing import Dict, Tuple
 System = Tuple[int, float]  # ten times the G-code of a work offset (540 for G54), and its P or H word
 Values = Dict[str, float]  # mm, by axis
 FIRST: System = (540, 0.0)
-# Work offsets, by the P word of G10 that selects them. P0 has another meaning.
+# Work offsets, by the P word of G10 that selects them. P0 is not in this table, because it means the work offset in
+# force.
 NUMBERED: dict[float, System] = dict(
     zip(map(float, range(1, 10)), [(code, 0.0) for code in (540, 550, 560, 570, 580, 590, 591, 592, 593)])
 )
@@ -86,8 +87,8 @@ class Origins:
         Returns
         -------
         bool
-            Whether the coordinates that follow are known. If they are not, the toolpath's origin is assumed at 0, as in
-            LinuxCNC without a table of work offsets.
+            Whether the program determines the coordinates of the moves that follow. If False, the toolpath's origin is
+            assumed to be at the machine's zero point, as in LinuxCNC without a table of work offsets.
         """
         machine = self._machine.setdefault(system, {})
         machine.update(values)
@@ -132,7 +133,10 @@ class Origins:
         self._suspended = {}
 
     def end_shift(self, *, keep: bool) -> None:
-        """End the shift of G52 and G92. If `keep` (G92.2, not G92.1), store the shift for `resume_shift`."""
+        """End the shift of G52 and G92.
+
+        If `keep` is True (G92.2), store the shift for `resume_shift`; if False (G92.1), delete the shift.
+        """
         self._suspended = self.shift if keep else {}
         self.shift = {}
 

@@ -25,7 +25,8 @@ class Place:
     Attributes
     ----------
     lost : set of str
-        Axes along which the tool moved to a position that the program does not contain. `now` updates this set.
+        Axes along which the tool moved to a position that the program does not contain. The method `now` updates this
+        set.
     """
 
     def __init__(self, commands: Commands) -> None:
@@ -43,7 +44,7 @@ class Place:
         self._losses.append((len(self._commands), set(letters)))
 
     def move_end(self, command: int, way: complex) -> None:
-        """Move the position by a vector in the XY plane, mm, because a command that sets the position was changed."""
+        """Move the position by a vector in the XY plane, mm, after a change of the end point of the last move."""
         if command < self._read:
             self._at["X"], self._at["Y"] = self._at["X"] + way.real, self._at["Y"] + way.imag
 
