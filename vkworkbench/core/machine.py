@@ -17,8 +17,8 @@ import numpy as np
 from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath, exact_lengths
 from vkworkbench.given import not_negative, number, numbers, positive, whole
 
-# Limit for the sine of half the angle between two moves. Two moves with a larger sine have the same direction up to
-# rounding, so the corner between them does not limit the speed.
+# Limit for the sine of half the angle at the corner between two moves, which is 1 if both moves have the same
+# direction. Above the limit, the directions differ only by rounding, and the corner does not limit the speed.
 _STRAIGHT = 1 - 1e-12
 
 
@@ -195,7 +195,8 @@ def _tangents(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
         arc = np.flatnonzero((toolpath.sweep != 0) & (toolpath.plane == plane))
         half = toolpath.sweep[arc] / 2
         across, up = moves[arc, first], moves[arc, second]
-        stretch = half / np.sin(half)  # ratio of arc to chord, because a helix rises along the arc
+        # A helix rises along the arc, so the arc's length replaces the chord's length in the plane.
+        stretch = half / np.sin(half)
         for tangents, angle in ((begin, -half), (end, half)):
             tangents[arc, first] = stretch * (np.cos(angle) * across - np.sin(angle) * up)
             tangents[arc, second] = stretch * (np.sin(angle) * across + np.cos(angle) * up)

@@ -9,7 +9,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-# The time of a function is confirmed by _TIMES measurements of at most _EQUAL times the shortest measurement.
+# The shortest measured time of a function is confirmed if at least _TIMES measurements (itself included) are no longer
+# than _EQUAL times the shortest.
 _EQUAL, _TIMES = 1.05, 3
 
 # The processor time of this process. On Windows, this time advances in steps of 16 ms, so the wall-clock time is used.

@@ -19,7 +19,7 @@ from vkworkbench.language import Message, Unusable
 # Grid to which corners of a mesh are rounded before equal corners are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
-# Number of rows of rays in one strip of a mesh. In a higher strip, most triangles cross only few of these rows of rays.
+# Number of different y coordinates of rays for each strip into which the rays are divided.
 _ROWS = 256
 
 
@@ -116,7 +116,8 @@ class Mesh:
     def __init__(self, triangles: np.ndarray) -> None:
         takes = "an array of (t, 3, 3) numbers, the coordinates of corners in mm"
         points = np.array(numbers("triangles", triangles, takes, lambda array: array.size % 9 == 0)).reshape(-1, 3)
-        if not (np.abs(points) <= COORDINATE_LIMIT).all():  # false for NaN, too
+        # NaN is also refused, because comparisons with NaN are false.
+        if not (np.abs(points) <= COORDINATE_LIMIT).all():
             raise Unusable(Message("stock-not-finite"))
         first, corner = _distinct(np.rint(points / _SAME).astype(np.int64))
         self.corners, corner = points[first], corner.reshape(-1, 3)
@@ -201,7 +202,8 @@ class _SeenMesh:
     def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return rays and the depths at which they cross triangles, unordered.
 
-        Many rows of few rays each are divided into strips along y, because most triangles overlap only a few strips.
+        Rays with many different y coordinates are divided into strips along y, because most triangles overlap only a
+        few strips.
         """
         strips = 1 + len(np.unique(y)) // _ROWS
         if strips == 1:
@@ -227,7 +229,7 @@ class _SeenMesh:
         row_of_ray = np.repeat(np.arange(len(rows)), np.diff(first, append=len(y)))
         left, right = x.min(), x.max()
         met = (self.low[1] <= rows[-1]) & (self.high[1] > rows[0])
-        met &= (self.low[0] <= right + _SAME) & (self.high[0] >= left - _SAME)  # the crossings are rounded
+        met &= (self.low[0] <= right + _SAME) & (self.high[0] >= left - _SAME)  # _SAME is added because of rounding
         met = np.flatnonzero(met)
 
         begin, end = np.searchsorted(rows, self.low[1, met]), np.searchsorted(rows, self.high[1, met])
@@ -282,7 +284,10 @@ def fitted(view: View, stock: Solid) -> Frame:
 
 
 def spans_in(solid: Solid, frame: Frame) -> Callable[[np.ndarray, np.ndarray], Spans]:
-    """Return a function like `solid.spans` for one frame; for a mesh, its calls share the sorted triangles."""
+    """Return a function like `solid.spans` for one frame.
+
+    For a mesh, the triangles are sorted only once for all calls.
+    """
     return _SeenMesh(solid, frame).spans if isinstance(solid, Mesh) else partial(solid.spans, frame)
 
 

@@ -46,7 +46,7 @@ class Strategy(str, enum.Enum):
     color: str
 
     def __new__(cls, value: str, label: str, family: Family, color: str, about: str) -> Strategy:  # noqa: PYI034 3.11
-        """Make an entry of the table."""
+        """Make a strategy that is also a str: its value."""
         entry = str.__new__(cls, value)
         entry._value_ = value
         entry.label, entry.family, entry.color, entry.about = label, family, color, about

@@ -107,7 +107,8 @@ class Tool:
         if self.shape not in _DEFAULT_TIP_ANGLE:
             return 0.0
         angle = self.tip_angle if self.tip_angle is not None else _DEFAULT_TIP_ANGLE[self.shape]
-        return 1 / tan(angle / 2) if angle < pi else 0.0  # at pi, rounding would give a very flat cone
+        # An angle of pi is a flat end; tan(pi / 2) is finite because of rounding.
+        return 1 / tan(angle / 2) if angle < pi else 0.0
 
     @property
     def tip(self) -> float:

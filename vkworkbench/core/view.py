@@ -15,8 +15,8 @@ from vkworkbench.given import number, numbers, whole
 # tilts counted, rounding in the camera's direction would decide which side of the image is up, and whether a ray passes
 # inside or outside a tool's vertical side.
 VERTICAL = 1e-5
-# Largest width and height of an image, pixels, and largest number of pixels in an image. The z-buffer's records store
-# the number of a pixel in 32 bits.
+# Largest width and height of an image, pixels, and largest number of pixels in an image. The z-buffer stores indices of
+# pixels in 32 bits.
 LONGEST_SIDE, MOST_PIXELS = 1_000_000, 2**32
 # Smallest and largest side of a pixel, mm. With the smallest pixel, the smallest stock fills the largest image. The
 # largest pixel is much wider than the largest stock.
@@ -77,14 +77,19 @@ class View:
         set_to("offset", tuple(offset.tolist()))
 
     def of_size(self, width: int, height: int) -> View:
-        """Return the view with an image of another size. A fixed pixel grows with a smaller image."""
+        """Return the view with an image of another size.
+
+        If the pixel size is given and the image is smaller, the pixels are larger, so that the image shows the same
+        area.
+        """
         pixel = self.pixel and self.pixel * wider_pixel(self, width, height)
         return replace(self, width=width, height=height, pixel=pixel)
 
     def frame(self, stock: Bounded) -> Frame:
         """Return the view fitted to a stock: the image's axes, centre and pixel."""
         direction = np.array(self.direction)
-        direction = np.ldexp(direction, -np.frexp(np.abs(direction).max())[1])  # so that squares do not overflow
+        # Scale the largest component to at most 1, so that the squares in `norm` do not overflow.
+        direction = np.ldexp(direction, -np.frexp(np.abs(direction).max())[1])
         direction /= np.linalg.norm(direction)
         sine = np.hypot(direction[0], direction[1])
         if sine < VERTICAL:
@@ -93,7 +98,7 @@ class View:
         else:
             right = np.array([direction[1], -direction[0], 0.0]) / sine
         (rx, ry, _), (dx, dy, dz) = right, direction
-        up = np.array([ry * dz, -rx * dz, rx * dy - ry * dx])  # right x direction
+        up = np.array([ry * dz, -rx * dz, rx * dy - ry * dx])  # cross product of `right` and `direction`
         half = (stock.upper - stock.lower) / 2
         pixel = self.pixel
         if pixel is None:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Analyse the file of an NC program. Titles and tool changes divide it into operations, one row for each operation."""
+"""Analyse the file of an NC program, which titles and tool changes divide into operations.
+
+The report has one row for each operation.
+"""
 
 from __future__ import annotations
 
@@ -131,7 +134,7 @@ class _Whole:
     path : Path
     other : Message or None
     rotary : tuple of int
-        The attributes of `Program` with these names.
+        See the attributes `other` and `rotary` of `Program`.
     chosen : Preferences
     stock : Stock or None
         A box around all cuts; None if no tool is known.
@@ -182,7 +185,9 @@ def divide_program(program: Program, tolerance: float) -> Divided:
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )
-    if inches:  # some comments state the size of a tool with its unit, which must be read in inches from the beginning
+    # Read the tools' sizes again, because comments without a unit are in inches, and comments with a unit are in this
+    # unit.
+    if inches:
         sections = tuple(map(_scaled_to_millimetres, split_sections(replace(program, inches=True))))
     bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
     parts = [toolpath.part(int(a), int(b)) for a, b in zip([0, *bounds], [*bounds, len(toolpath)])]
@@ -206,7 +211,7 @@ def _rows(path: Path, chosen: Preferences) -> list[OperationReport]:
         path, program.other, program.rotary, chosen, stock, inches, tuple(remarks),
         undivided=len(cutting) == 1 and not cutting[0][1].title,
     )  # fmt: skip
-    del program  # its commands need more memory than the toolpath
+    del program  # free memory: the program's commands need more memory than the toolpath
     ends = [*(section.first for _, section in cutting[1:]), math.inf]
     rows, first = [], 0.0
     for (part, section), end in zip(cutting, ends):
@@ -223,7 +228,8 @@ def _without_cuts(path: Path, program: Program, toolpath: Toolpath) -> Operation
     row = replace(row, remarks=(*row.remarks, *map(at_line, toolpath.problems)))
     if program.other:
         return replace(row, counted=True)
-    counted = all(problem.of_time for problem in toolpath.problems)  # an ignored command may have been a cut
+    # If a command was ignored, the program possibly has cuts.
+    counted = all(problem.of_time for problem in toolpath.problems)
     return replace(row, counted=counted, recognition=recognize(toolpath), trajectories=len(toolpath),
                    machining=_machining(toolpath, toolpath.problems, None))  # fmt: skip
 
@@ -290,7 +296,10 @@ def _rotary(lines: tuple[int, ...], section: Section) -> Message | None:
 
 
 def _machining(part: Toolpath, problems: Iterable[Problem], machine: Machine | None) -> Machining:
-    """Return lengths and times. Without a machine, rapids have no time, because programs do not state their speed."""
+    """Return lengths and times.
+
+    Without a machine, the time of rapids is unknown, because NC programs do not contain the speed of rapids.
+    """
     found = machining(part, machine=machine)
     left_out = [message for message in found.left_out if message.code == "cutting-untimed"]
     if found.rapid_length and machine is None:

@@ -47,7 +47,7 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
         late = time.monotonic() - begin >= patience
         return (unread(path, Message("too-long", time=patience) if late else Message("worker-died")),)
     if any(remark.code == "memory-short" for row in rows for remark in row.remarks):
-        worker.end()  # free the memory of the large program for the next program
+        worker.end()  # a large program used up the memory: a new process begins with free memory
     return rows
 
 

@@ -159,7 +159,7 @@ def _work(
                     else:
                         results.add(rows)
                 operations += sum(row.counted for row in rows)
-                unread_files += not rows[0].counted  # an unread file has one row only
+                unread_files += not rows[0].counted  # a file that cannot be read has one row, which is not counted
     except KeyboardInterrupt:
         stopped = True
     finally:
@@ -225,7 +225,7 @@ def _executor(asked: argparse.Namespace, files: int) -> Iterator[tuple[Executor,
             yield both
         return
     jobs = min(asked.jobs or processes(), files)
-    executor = ThreadPoolExecutor(jobs)  # each thread waits for its own process
+    executor = ThreadPoolExecutor(jobs)  # each thread starts a process, and waits for the results of this process
     try:
         yield executor, _AHEAD * jobs
     finally:
@@ -267,7 +267,8 @@ def _analyzed(
             if not pending:
                 return
             ready = wait(pending, return_when=FIRST_COMPLETED).done
-            for future in [future for future in pending if future in ready]:  # this is the order of submission
+            # `pending` keeps the order of submission, `ready` is an unordered set.
+            for future in [future for future in pending if future in ready]:
                 path = pending.pop(future)
                 yield path, _rows(path, future)
     finally:

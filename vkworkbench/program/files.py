@@ -25,8 +25,8 @@ _HEAD, _FEWEST_WORDS = 100_000, 3  # number of examined bytes, and minimum numbe
 # Definitions of tools and formats in files of circuit boards: drill files (Excellon) and drawings (Gerber). The lines
 # of these files look like words of an NC program.
 _OF_CIRCUIT_BOARDS = re.compile(r"T\d+(?:[FSBHZ]\d*)*C[\d.]|%(?:FS|MO|AD)")
-# Limits of a decompressed text: bytes, lines, and characters of a line. A toolpath has at most 5 million moves, and so
-# long a line is not a line of an NC program.
+# Limits of a decompressed text: bytes, lines, and characters of a line. A text beyond these limits is refused, because
+# a toolpath has at most 5 million moves, and lines of NC programs are shorter.
 MOST_BYTES, MOST_LINES, LONGEST_LINE = 400_000_000, 10_000_000, 500_000
 _PART = 10_000_000  # size of one read, bytes
 _LINE_END = re.compile("[\n\r]")
@@ -47,7 +47,7 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> It
 
     A file in a folder is a program if it has the suffix of one, or if it is a text that consists of G-code.
 
-    Folders are searched at any depth, sorted by name, and through links. Each file is yielded once. A folder that
+    Subfolders and symbolic links to folders are also searched, sorted by name. Each file is yielded once. A folder that
     cannot be read is yielded instead of its files, so that the attempt to read it reports the error.
 
     Parameters
@@ -61,7 +61,7 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> It
     ------
     ValueError
         If a name is empty, e.g. from a cancelled file dialog, because an empty name should not mean the current folder.
-        Also if a name is the text of a program.
+        If a name is the text of a program, not a path.
     """
     what = list(what)
     if "" in what:
@@ -120,7 +120,8 @@ def _looks_like_a_program(path: Path) -> bool:
         return False
     blocks = [code for line in lines if (code := split_comments(line)[0].strip(" %"))]
     split = [(code, *split_words(code)) for code in blocks]
-    # A line counts if at most a third of its characters are not words. Checksums and decimal commas are not words.
+    # A line counts as G-code if at most a third of its characters are not words. Some other characters are allowed,
+    # because checksums and decimal commas are not words.
     read = [{letter for letter, _ in words} for code, words, rest in split if words and 3 * len(rest) <= len(code)]
     letters = set().union(*read)
     return len(read) >= max(_FEWEST_WORDS, len(blocks) / 2) and "G" in letters and not letters.isdisjoint("XYZ")

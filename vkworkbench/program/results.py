@@ -187,7 +187,7 @@ class Results:
         for line in file:
             place += len(line)
             if not line.endswith(b"\n"):
-                break  # the run was stopped during this line
+                break  # the last line is incomplete, because the previous run was stopped while it wrote this line
             if header:
                 if line != header:
                     raise ValueError("it has other columns")

@@ -182,7 +182,9 @@ def _sideways(toolpath: Toolpath) -> np.ndarray:
 
 
 def _highest_cut(cut: Cut) -> float:
-    """Return the height of the highest feed move, mm. The lower end counts, because ramps begin above the material.
+    """Return the height of the highest feed move, mm.
+
+    The height of a sloped move is the height of its lower end, because ramps begin above the material.
 
     Vertical moves count only if the operation has no other feed moves.
     """

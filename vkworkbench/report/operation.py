@@ -60,8 +60,8 @@ class OperationReport(Costs):
     job : str or None
         Internal name of the operation's job.
     counted : bool
-        Whether the operation is included in its job's total. Inactive operations and operations with a dress-up are
-        not.
+        Whether the operation is included in its job's total. Inactive operations are not included. The base operation
+        of a dress-up is not included, because the dress-up is included.
     recognition : Recognition
         The strategy with its confidence, reason, spans and evidence.
     trajectories : int
@@ -273,8 +273,8 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     these columns are empty. The column ``codes`` contains the code of each message, followed by the codes of the
     messages in its arguments. The column ``spans`` contains the first and the last command of each strategy, as in
     `Span`. For operations in FreeCAD, the commands are indices into ``Path.Commands``, counted from 0. For NC programs,
-    they are lines, counted from 1. Sentences count commands and lines from 1. An apostrophe is put before texts that a
-    spreadsheet would calculate as formulas.
+    ``spans`` contains program lines, counted from 1. Sentences count commands and lines from 1. An apostrophe is put
+    before texts that a spreadsheet would calculate as formulas.
     """
     row = operation.as_dict()
     del row["messages"]

@@ -44,7 +44,8 @@ class Report:
     simulated : dict
         Facts of a simulation of the whole job, by (document name, job name). Jobs without a simulation are missing.
     verdicts : dict
-        The `JobVerdict` of a simulation of the whole job, by (document name, job name). Jobs without one are missing.
+        The `JobVerdict` of a simulation of the whole job, by (document name, job name). Jobs without a verdict are
+        missing.
     simulator : str
         Name of the simulator whose time and memory the table shows. Marks in the tree show the same simulator.
     left_out : tuple of str
@@ -98,7 +99,7 @@ class Report:
 
     @property
     def totals(self) -> tuple[Total, ...]:
-        """The total of each job. Every operation counts once."""
+        """The total of each job."""
         return tuple(self._total(*key, label) for key, label in self.jobs.items())
 
     def _total(self, document: str, job: str, label: str) -> Total:

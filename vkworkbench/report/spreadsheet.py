@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-# A spreadsheet calculates a text that begins with one of the signs at the end of this pattern, and skips the characters
-# that the pattern has before the sign. East Asian spreadsheets also accept the full-width signs.
+# A spreadsheet calculates a text that begins with =, +, - or @ as a formula. Spaces and invisible characters before the
+# sign are skipped. East Asian spreadsheets also accept the full-width signs.
 _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－＠]")
 
 

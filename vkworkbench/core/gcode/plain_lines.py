@@ -18,16 +18,17 @@ from vkworkbench.core.gcode.blocks import Lines
 from vkworkbench.core.gcode.interpreter import Interpreter
 from vkworkbench.core.gcode.moves import codes
 
-# Largest number of lines, and of characters, that are read at once; a single line can be longer. Higher: more memory.
+# Largest number of lines, and of characters, that are read at once; a single line can be longer. Higher limits need
+# more memory.
 _LINES, _CHARACTERS = 20_000, 2_000_000
-# Largest number of digits in the number of a word. Integers of up to 15 digits and powers of ten up to 1e15 are exact
-# floats, so the quotient of an integer and a power is rounded only once.
+# Largest number of digits in the number of a word. A decimal number is computed as the quotient of an integer and a
+# power of ten. Up to 15 digits, both are exact floats, so only the quotient is rounded.
 _MOST_DIGITS = 15
 _MOTIONS = (codes.RAPID, codes.FEED, *codes.ARCS)
 _LETTERS = "NGXYZIJKRF"
 _BITS = {letter: 1 << number for number, letter in enumerate(_LETTERS)}
 
-_END, _SPACE, _DIGIT, _POINT, _SIGN, _LETTER, _OTHER = range(7)  # kinds of characters
+_END, _SPACE, _DIGIT, _POINT, _SIGN, _LETTER, _OTHER = range(7)  # kinds of characters in a program line
 _FOLLOWERS = {
     _END: (_END, _SPACE, _LETTER),
     _SPACE: (_END, _SPACE, _LETTER),
@@ -68,7 +69,7 @@ def _sets() -> tuple[np.ndarray, np.ndarray]:
 _KINDS, _PAIRS, (_SIZES, _USABLE) = _kinds(), _pairs(), _sets()
 _LETTER_BITS = np.zeros(256)
 _LETTER_BITS[np.frombuffer(_LETTERS.encode(), np.uint8)] = list(_BITS.values())
-_FORM = 16  # base of the numbers in `_texts`; larger than the count of letters and the count of names
+_FORM = 16  # base of the numbers in `_texts`; larger than the lengths of `_LETTERS` and `_NAMES`
 _LETTER_CODES = np.zeros(256)
 _LETTER_CODES[np.frombuffer(_LETTERS.encode(), np.uint8)] = 1 + np.arange(len(_LETTERS))
 _POWERS = 10.0 ** np.arange(_MOST_DIGITS + 1)
@@ -135,7 +136,7 @@ class _Block:
     others : list of int
         Indices of the lines that are not plain, ascending.
     not_empty, commands_before, values_before : (last - first + 1,) int64
-        Before each line of the block: number of lines that are not empty, number of commands, and number of values.
+        Before each line from `first` on: number of lines that are not empty, number of commands, and number of values.
     rows : (c,) int64
         Index of the line of each command.
     motions : (c,) int64
@@ -167,7 +168,7 @@ class _Block:
 
     @staticmethod
     def of_lines(lines: Lines, first: int) -> _Block:
-        """Return the block whose first line is the line `first`."""
+        """Read a block of lines, which begins at the line `first`."""
         last = min(len(lines), first + _LINES)
         while last > first + 1 and lines.size(first, last) > _CHARACTERS:
             last = first + (last - first) // 2
@@ -217,8 +218,8 @@ def _before(counts: np.ndarray) -> np.ndarray:
 def _texts(forms: np.ndarray) -> tuple[list[str], list[str]]:
     """Return the names and the letters of commands.
 
-    The form of a command is a number in base `_FORM`. The last digit is the index of the name in `_NAMES`, and each
-    other digit is the place of a letter in `_LETTERS`, counted from 1.
+    Each element of `forms` encodes a command as a number in base `_FORM`. The last digit is the index of the command's
+    name in `_NAMES`, and each other digit is the place of a parameter's letter in `_LETTERS`, counted from 1.
     """
     known, inverse = np.unique(forms, return_inverse=True)
     names, letters = [], []

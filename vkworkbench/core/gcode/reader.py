@@ -101,7 +101,7 @@ class _Reader:
         self.ran: set[int] = set()  # indices of the lines that were read in calls
         self.calls: list[int] = []  # indices of the current subprograms' first lines, outermost call first
         self.jump: int | None = None  # index of the line to which the current line jumps; None without a jump
-        self.again = False  # whether the current line is not after line `number`: after a jump back, or in a call
+        self.again = False  # whether a jump back or a call led to a line that is not below line `number` in the text
         self.deleted = False  # whether the current line has a block delete
         self.number = 0
         self.blocks = 0
@@ -205,7 +205,8 @@ class _Reader:
         self.blocks += 1
         words, rest = split_words(code)
         if rest:
-            if diameter := _TOOL_DIAMETER.search(code):  # the value of this variable is read like a comment on the tool
+            # A variable for the tool's diameter is read as a comment on the tool.
+            if diameter := _TOOL_DIAMETER.search(code):
                 comments = [f"tool diameter = {diameter[1]}", *comments]
             step = self.flow.step(index, code)
             self._remark()

@@ -32,7 +32,7 @@ DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the drilling axis of canned cyc
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
 TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
 # G98 of Fanuc controls, under which FEED_OUT cycles retract at the feed rate to R, and at rapid to the start height.
-# 98.1 is not a G-code of any control: only this package uses this number.
+# Only this package uses the number 981.
 RAPID_TO_START = 981
 INVERSE_TIME, PER_MINUTE, PER_TURN = 930, 940, 950
 FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Convert commands into trajectories: resolve modal state, arcs and canned cycles into straight moves.
+"""Convert commands into trajectories: apply modal codes, and divide arcs and canned cycles into straight moves.
 
-All steps process whole columns. Python loops are needed only to read the commands and to compute the heights of canned
+NumPy operations process all commands at once. Python loops only read the commands, and compute the heights of canned
 cycles.
 """
 
@@ -27,7 +27,7 @@ _ZERO_LENGTH = 1e-9  # mm; a trajectory is left out if its length along each axi
 
 
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
-    """Resolve the commands of one operation into straight trajectories.
+    """Convert the commands of one operation into straight trajectories.
 
     The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
     their starting point and of their point of destination" (section 2.1). This function computes such trajectories.
@@ -42,10 +42,10 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
         Largest distance between an arc and its chords, mm.
     infer_centres : bool
         Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1.
-        Some controls read centre words as coordinates by default. Only arcs whose two readings differ are compared;
-        full circles and arcs with an R word fit both readings. Coordinates are chosen if more than half of the compared
-        arcs miss their end points when read with offsets, and less than half as many arcs miss them when read with
-        coordinates.
+        Some controls read centre words as coordinates by default. Only arcs are compared that differ if their centre
+        words are read as offsets or as coordinates; full circles and arcs with an R word are not compared. Coordinates
+        are chosen if more than half of the compared arcs miss their end points when read with offsets, and less than
+        half as many arcs miss their end points when read with coordinates.
 
     Returns
     -------
@@ -69,7 +69,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
-    while not moved.all():  # repeated, because the next move begins elsewhere if a short move is left out
+    while not moved.all():  # without a short move, the next move begins at another point, and can be short, too
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)
@@ -90,7 +90,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
 def _moved(points: np.ndarray) -> np.ndarray:
     """Return whether each trajectory is longer than `_ZERO_LENGTH` along an axis, (n - 1,) bool."""
     moved = np.zeros(max(len(points) - 1, 0), bool)
-    for axis in range(3):  # one axis after the other needs less memory
+    for axis in range(3):  # a loop over the axes needs less memory than one array of all differences
         moved |= np.abs(np.diff(points[:, axis])) > _ZERO_LENGTH
     return moved
 
@@ -118,7 +118,8 @@ def _moves(program: ModalState, tolerance: float) -> tuple[np.ndarray, np.ndarra
     if total > MOST_TRAJECTORIES:
         raise Unusable(Message("too-many-moves", moves=total, tolerance=tolerance))
     command = np.repeat(np.arange(len(motion)), counts)
-    all_points = np.empty((total + 1 if total else 0, 3))  # the start, and the end of each move
+    # The start point of the first move, and the end points of all moves.
+    all_points = np.empty((total + 1 if total else 0, 3))
     all_points[:1], points = position[:1], all_points[1:]
     np.take(position, command, axis=0, out=points, mode="clip")
     rapid = (motion == RAPID)[command]

@@ -23,7 +23,7 @@ _MOST_NAMED = 10  # largest number of unknown codes that are named in messages; 
 
 
 class Problems(List[Problem]):
-    """The problems found so far, one for each message."""
+    """The problems found so far; each problem has one message."""
 
     def add(self, rows: np.ndarray, what: Message) -> None:
         """Add a message on the commands with the indices `rows`; without indices, add nothing."""
@@ -150,7 +150,7 @@ class ModalState:
                 relative = self.relative
             position[:, axis], known[:, axis] = _coordinate(values, relative)
         beyond = np.abs(position) > COORDINATE_LIMIT
-        if beyond.any():  # the sum of relative words can exceed the limit
+        if beyond.any():  # the sum of relative words can exceed the limit, although each word is below it
             self.problems.add(np.flatnonzero(beyond.any(axis=1)), Message("position-cut-off"))
             position = np.clip(position, -COORDINATE_LIMIT, COORDINATE_LIMIT)
         return position, known

@@ -61,8 +61,8 @@ class Program:
     def toolpath(self, *, tolerance: float = 0.01) -> Toolpath:
         """Return the trajectories of the whole NC program, with its problems.
 
-        The toolpath's `command` contains lines of the text instead of indices of commands, and so do its problems.
-        `commands` is the last line + 1.
+        `command` of the toolpath and of its problems contains program lines, not indices of commands. The toolpath's
+        `commands` is the number of the last line + 1.
 
         Parameters
         ----------

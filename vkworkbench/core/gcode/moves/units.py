@@ -29,7 +29,7 @@ PER_MINUTE = 250.0
 # lower, large parts in whole millimetres are read as increments. If the limit is higher, small parts in increments are
 # missed.
 LONG = 5000.0
-TOOLS = 4.0  # tool diameters; if the cuts are larger than this, the unit is probably right
+TOOLS = 4.0  # times the tool's diameter; if the cuts are larger than this, lengths were probably read in the right unit
 
 
 def looks_like_inches(
@@ -53,7 +53,7 @@ def looks_like_inches(
     points = _ends(toolpath)
     size = float(np.ptp(points[:, :2], axis=0).max())
     lift = float(toolpath.points[:, 2].max() - points[:, 2].min())
-    # The size of a single hole is 0; the lift in a program for a laser is 0.
+    # The unit cannot be found from a single hole, whose size is 0, or a program for a laser, whose lift is 0.
     if not (0 < size < small and 0 < lift < LOW):
         return False
     if tool_diameter and size > TOOLS * tool_diameter:

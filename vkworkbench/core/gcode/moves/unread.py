@@ -25,7 +25,7 @@ from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.language import Message
 
 ROTARY = "ABC"
-# Letters of the words that `linearize` reads, and of words that do not change the tool's path.
+# Letters that are not reported: `linearize` reads the words with these letters, or they do not change the tool's path.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
 _CORNERS = frozenset("IJKR")  # in straight moves, some controls use these words to round or chamfer the next corner
@@ -116,7 +116,7 @@ def _given(words: Words, letter: str) -> np.ndarray:
 
 
 def _changed(words: Words, letter: str) -> np.ndarray:
-    """Return the indices of the commands that turn an axis, (m,) int. Before its first word, the axis is at 0."""
+    """Return the indices of the commands that turn a rotary axis, (m,) int. The axis is at 0 until its first word."""
     values, unusable = words.column(letter)
     rows = np.flatnonzero(~np.isnan(values) | unusable)
     result: np.ndarray = rows[np.diff(values[rows], prepend=0.0) != 0]
