@@ -60,7 +60,7 @@ def test_short_tool_in_deep_pocket_is_found():
     shank, short = collisions((moves, MILL)).found
     assert (
         abs(shank.place[2] - 39) < 0.02 and shank.place[1] < 10
-    )  # in the wall beside the first plunge that is too deep
+    )  # The collision is in the wall beside the first plunge that is too deep.
     assert "shank collides with material 22 mm high" in render(shank.what)
     assert "20 mm long" in render(short.what) and "10 mm higher" in render(short.what)
 
@@ -73,7 +73,10 @@ def test_tool_with_long_flutes_has_no_collision():
 
 @pytest.mark.parametrize("thicker, command", [(0.0, None), (0.05, 104), (1.0, 104)])
 def test_shank_thicker_than_flutes_rubs_at_the_wall(thicker, command):
-    """The flutes cut the wall before, at several depths. The first plunge deeper than 8 mm is the first collision."""
+    """The flutes have already cut the wall, at several depths.
+
+    The first plunge deeper than 8 mm is the first collision.
+    """
     found = told((pocket(range(38, 8, -2)), replace(MILL, shank_diameter=3 + thicker, length=60)))
     assert found == ({("shank", 0): (command, 387, 22.0)} if command else {})
 
@@ -176,7 +179,7 @@ def test_tool_or_holder_in_a_clamp_is_a_collision():
 
 
 def test_clamp_is_hit_by_every_operation():
-    """Two operations along the same path: the first must not hide the collision of the second."""
+    """Two operations along the same path: the first operation must not hide the collision of the second operation."""
     tool, clamps = Tool("endmill", 6), {"left": Stock((-30, 0, 0), (0, 40, 42))}
     hit = (0, 1, 7.0)
     assert told((slot(5), tool), (slot(5), tool), clamps=clamps) == {("tool", 0): hit, ("tool", 1): hit}
@@ -192,7 +195,7 @@ def reference(moves, tool, body_radius, bottom, before):
             px, py, pz = start + share * (end - start)
             away = np.hypot(x - px, y - py)
             hit = (away <= body_radius) & (height > pz + bottom)
-            if not before:  # the flutes have already removed this material
+            if not before:  # The flutes have already removed this material.
                 hit &= away > tool.radius
             depths[k] = max(depths[k], (height[hit] - pz - bottom).max(initial=0.0))
             height[hit] = pz + bottom
@@ -204,10 +207,10 @@ def reference(moves, tool, body_radius, bottom, before):
 @pytest.mark.long
 @pytest.mark.parametrize("body", ["flutes", "shank"])
 @pytest.mark.parametrize("seed", range(3))
-def test_collisions_agree_with_small_steps(body, seed):
+def test_collisions_agree_with_a_height_map_cut_in_small_steps(body, seed):
     rng = np.random.default_rng(seed)
     points = rng.uniform((0, 0, 3), (30, 20, 11), (9, 3))
-    points[::3, 2] = points[1::3, 2]  # every third move is level
+    points[::3, 2] = points[1::3, 2]  # Every third move is horizontal.
     moves, tool = Toolpath.through(points), Tool("endmill", 4, cutting_edge_height=3, shank_diameter=7)
     radius, bottom = (1.98, 3.02) if body == "flutes" else (3.48, 3.02)
     depths = reference(moves, tool, radius, bottom, before=body == "flutes")

@@ -41,7 +41,7 @@ def test_repeated_cells_are_in_one_group():
     assert len(connected_cells(np.empty(0, int), np.empty(0, int))) == 0
 
 
-def test_spiral_of_pairs_is_one_group():
+def test_cells_connected_along_a_spiral_are_one_group():
     numbers = np.random.default_rng(2).permutation(1000)
     assert (connected_pairs(numbers[:-1], numbers[1:], 1001)[:-1] == 0).all()
     assert connected_pairs(numbers[:-1], numbers[1:], 1001)[-1] == 1000

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Estimates from a few hundred rays: the share of rays whose cut intervals are not connected."""
+"""Estimates from a few hundred rays: the share of rays on which the removed intervals are not connected."""
 
 from __future__ import annotations
 
@@ -20,20 +20,20 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
     ("owners", "unconnected"),
     [
         ([7], False),
-        ([GAP, 2, 5, UNCUT], False),  # the ray was cut from its near end
-        ([UNCUT, 4, 1, 3, UNCUT], False),  # the gap grew in both directions
-        ([2, UNCUT, 1], True),  # material is left between two gaps
-        ([UNCUT, 1, 4, 2, UNCUT], True),  # a third cut joined two gaps
+        ([GAP, 2, 5, UNCUT], False),  # The ray was cut from its near end.
+        ([UNCUT, 4, 1, 3, UNCUT], False),  # The gap grew in both directions.
+        ([2, UNCUT, 1], True),  # Material is left between two gaps.
+        ([UNCUT, 1, 4, 2, UNCUT], True),  # A third cut joined two gaps.
     ],
 )
-def test_unconnected_cuts_leave_a_maximum_of_trajectory_numbers(owners, unconnected):
-    others = [UNCUT, 1, UNCUT]  # the maxima of the rays before and after are at ends
+def test_piece_cut_later_than_both_neighbours_is_found(owners, unconnected):
+    others = [UNCUT, 1, UNCUT]  # On the other two rays, the uncut pieces are the first and the last piece.
     rays = np.repeat(np.arange(3), [3, len(owners), 3])
     pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
     assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]
 
 
-def test_number_of_sorted_rays_is_the_unconnected_number(monkeypatch):
+def test_only_rays_with_unconnected_removed_intervals_are_sorted(monkeypatch):
     rng = np.random.default_rng(3)
     ray = np.sort(rng.integers(0, 200, 800))
     enter = rng.integers(-2, 20, 800).astype(float)
@@ -47,7 +47,7 @@ def test_number_of_sorted_rays_is_the_unconnected_number(monkeypatch):
 
 
 @pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])
-def test_unconnected_share_is_the_share_of_sorted_passes(depths, share):
+def test_share_of_unconnected_removals_on_rays_is_estimated(depths, share):
     """In a side view, the wall between two slots separates their intervals.
 
     Below the shallower slot, rays meet only the deeper slot.
@@ -61,7 +61,7 @@ def test_unconnected_share_is_the_share_of_sorted_passes(depths, share):
 
 
 @pytest.mark.parametrize(("rows", "share"), [(96, 1.0), (128, 0.5), (192, 1.0)])
-def test_fullest_of_the_bands_of_64_rows_is_found(rows, share):
+def test_band_of_64_pixel_rows_with_most_dexels_is_found(rows, share):
     """Each pixel of a slot has a dexel and a trace.
 
     The slot lies in the first band, in both bands, or in the second band.

@@ -79,7 +79,7 @@ def test_rapids_in_a_cleared_pocket_are_not_crashes():
     rng = np.random.default_rng(4)
     rows = [(x, y, 15) for k, y in enumerate(np.arange(10, 70, 4.0)) for x in ((10, 90) if k % 2 == 0 else (90, 10))]
     links = [(*point, 15.0) for point in rng.uniform((14, 14), (86, 62), (60, 2))]
-    first = len(rows) + 1  # the first rapid
+    first = len(rows) + 1  # number of the first rapid
     points = [(10, 10, 25), *rows, (50, 66, 15), *links]
     rapid = range(first, len(points) - 1)
     found = check_crashes([Cut(path(points, rapid), FLAT)], BLOCK)
@@ -89,8 +89,8 @@ def test_rapids_in_a_cleared_pocket_are_not_crashes():
     assert [crash.source.command for crash in found.crashes] == [first + 30, first + 31]
 
 
-def test_only_retract_after_known_move_is_unchecked():
-    """The tool may start an operation anywhere, so the first move is checked even if it is a retract."""
+def test_first_move_is_checked_even_if_it_is_a_retract():
+    """The tool may start an operation anywhere, so a retract that is its first move is checked."""
     drilled = path([(50, 40, 25), (50, 40, 5), (50, 40, 25)], [1])
     assert check_crashes([Cut(drilled, FLAT)], BLOCK).pixel == 0
     assert len(check_crashes([Cut(path([(50, 40, 5), (50, 40, 25)], [0]), FLAT)], BLOCK).crashes) == 1
@@ -110,8 +110,8 @@ def test_moves_that_exceed_the_time_limit_are_unchecked():
 
 
 @pytest.mark.parametrize("memory, pixel", [(-1.0, None), (30e6, None), (1e9, 0.05)])
-def test_axis_view_is_fine_enough_and_within_its_budget(memory, pixel):
-    """A block of 100 x 80 mm and a tool of 6 mm: pixels of half the tolerance are fine enough."""
+def test_view_along_the_tool_axis_is_fine_and_within_its_budget(memory, pixel):
+    """For a block of 100 x 80 mm and a tool of 6 mm, pixels of half the tolerance are fine enough."""
     view = axis_view([Cut(plunges([(50, 40)]), FLAT)], BLOCK, memory_bytes=memory, seconds=60)
     assert view.direction == (0, 0, -1)
     if pixel is not None:

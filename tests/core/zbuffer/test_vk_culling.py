@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tiles of an image, the trajectories that may cut a tile, and the trajectories that reach deeper than earlier ones."""
+"""Tiles of an image, the trajectories that may cut a tile, and the trajectories that can cut deeper than before."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def told(tiles):
 FIRST, EMPTY, LAST = (0, 24, [3, 5]), (8, 32, []), (16, 40, [1, 3, 4])
 
 
-def test_selected_tiles_keep_their_trajectories():
+def test_selected_tiles_of_an_image_keep_their_trajectories():
     assert told(SOME) == [FIRST, EMPTY, LAST]
     assert told(SOME.selected(np.array([True, False, True]))) == [FIRST, LAST]
     assert told(SOME.selected(np.array([False, True, False]))) == [EMPTY]
@@ -55,7 +55,7 @@ def test_selected_tiles_keep_their_trajectories():
         (5, [[FIRST, EMPTY, LAST]]),
     ],
 )
-def test_blocks_have_whole_tiles_and_a_limited_number_of_pairs(pairs, blocks):
+def test_batches_have_whole_tiles_and_limited_trajectory_counts(pairs, blocks):
     assert [told(block) for block in SOME.blocks(pairs)] == blocks
 
 
@@ -66,10 +66,10 @@ def test_tiles_return_their_pixel_columns_and_rows():
 
 
 @pytest.mark.parametrize("side, fine", [(8, [False, False, False]), (2, [True, True, True]), (4, [False, False, True])])
-def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
-    """In the first tile, one of two moves is sloped, which is not more than half.
+def test_tiles_of_four_pixels_are_not_divided_for_sloped_moves(side, fine):
+    """A tile with a side of four pixels is small enough if more than half of its moves are sloped.
 
-    In the last tile, two of three are sloped.
+    In the first tile, one of two moves is sloped. In the last tile, two of three moves are sloped.
     """
     sloped = np.isin(np.arange(6), [3, 4])
     tiles = Tiles(side, SOME.column, SOME.row, SOME.first, SOME.item)
@@ -78,7 +78,10 @@ def test_tiles_of_four_pixels_are_small_for_sloped_moves(side, fine):
 
 
 def reached(*tiles, near=-5.0, far=5.0):
-    """Return the pairs of a tile and a trajectory that stay. Each tile is a list of (reached depth, opened depth)."""
+    """Return the pairs of a tile and a trajectory that are not culled.
+
+    Each tile is a list of (reached depth, opened depth).
+    """
     tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
     start = np.searchsorted(tile, np.arange(len(tiles)))
     reach, opens = (np.array([pair[k] for own in tiles for pair in own], float) for k in (0, 1))
@@ -95,19 +98,20 @@ NO = -np.inf
         ([(1, 1), (1, 1)], [0]),
         ([(1, 0), (0.5, NO)], [0, 1]),
         ([(1, 0), (-0.5, NO), (0, NO), (0.1, NO)], [0, 3]),
-        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),  # later trajectories are compared with the opened depth 2
-        ([(-5, NO), (-4, NO)], [1]),  # depths above the rays count as not reached
-        ([(9, 9), (20, 9)], [0]),  # below the rays, no material is left
-        ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # a difference within rounding is not deeper
+        # Later trajectories are compared with the depth 2, to which the tile is open.
+        ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),
+        ([(-5, NO), (-4, NO)], [1]),  # A depth above the start of the rays counts as not reached.
+        ([(9, 9), (20, 9)], [0]),  # Below the rays, no material is left.
+        ([(1, 0), (1e-9, NO), (1e-7, NO)], [0, 2]),  # A depth that differs only by rounding is not deeper.
     ],
 )
-def test_trajectory_stays_in_a_tile_if_deeper_than_earlier_ones(pairs, stay):
+def test_trajectory_shallower_than_opened_tile_depth_is_culled(pairs, stay):
     assert reached(pairs) == stay
 
 
-def test_opened_depth_is_kept_separately_for_each_tile():
+def test_depth_opened_in_one_tile_does_not_cull_in_another_tile():
     assert reached([(4, 4), (3, NO)], [(-4, -4), (-4.5, NO)], [(-4, NO)]) == [0, 2, 4]
-    # the first tile is open to the ground, the second is not open
+    # The first tile is open to the bottom of the stock, and the second tile is not open.
     assert reached([(5, 5)], [(-4.9, NO), (-4.5, NO)]) == [0, 1, 2]
 
 
@@ -121,7 +125,7 @@ def of_slots(*heights, width=400, height=300):
     return Trajectories(cuts, BOX, View((0, 0, -1), width, height).frame(BOX))
 
 
-def test_first_tiles_list_the_trajectories_that_pass_them():
+def test_largest_tiles_list_the_trajectories_that_pass_them():
     """The slot is 6 mm wide, from row 120 to row 180, so it passes the tiles with rows 64 to 127 and 128 to 191."""
     trajectories = of_slots(6.0)
     left, bottom = np.meshgrid(np.arange(0, 400, TILE), np.arange(0, 300, TILE))
@@ -132,7 +136,7 @@ def test_first_tiles_list_the_trajectories_that_pass_them():
 
 
 @pytest.mark.parametrize("along_x", [True, False])
-def test_slot_between_pixel_centres_is_in_no_other_tile(along_x):
+def test_slot_that_ends_before_a_pixel_centre_is_not_in_its_tile(along_x):
     """The slot is cut from 6.4 mm to 12.4 mm. Pixel 63 has its centre at 6.35 mm, and pixel 128 at 12.85 mm."""
     ends = [(-10, 9.4, 6), (50, 9.4, 6)] if along_x else [(9.4, -10, 6), (9.4, 50, 6)]
     trajectories = Trajectories(Cuts([Cut(toolpath(np.array(ends, float)), FLAT)]), BOX, of_slots(6.0).frame)
@@ -142,7 +146,7 @@ def test_slot_between_pixel_centres_is_in_no_other_tile(along_x):
 
 
 @pytest.mark.parametrize("along_x", [True, False])
-def test_tile_spans_first_to_last_pixel(along_x):
+def test_tile_extends_from_first_to_last_pixel_centre(along_x):
     """A slot from 6.3 mm to 12.81 mm passes pixel 63 (centre 6.35 mm) and nearly reaches pixel 128 (centre 12.85 mm)."""
     tool, y = Tool("endmill", 6.51), 9.555
     ends = [(-10, y, 6), (50, y, 6)] if along_x else [(y, -10, 6), (y, 50, 6)]
@@ -155,7 +159,7 @@ def test_tile_spans_first_to_last_pixel(along_x):
 def test_small_tiles_cover_a_sloped_and_a_level_slot():
     """A level slot lies 3 mm from the left edge, and a sloped slot 3 mm from the right edge.
 
-    Their tiles become small at different steps.
+    The tiles of the level slot and of the sloped slot are divided down to different sizes.
     """
     level, sloped = [(3, -10, 6), (3, 40, 6)], [(37, -10, 3), (37, 40, 9)]
     points = np.array([*level, (37, 40, 20), (37, -10, 20), *sloped], float)
@@ -168,10 +172,10 @@ def test_small_tiles_cover_a_sloped_and_a_level_slot():
 
 
 @pytest.mark.parametrize("slots", [1, 20])
-def test_pair_of_tile_and_trajectory_counts_once_at_every_size(slots):
-    """Each slot is deeper than the one before, and covers 64 x 64 pixels. The tests of 20 slots exceed one batch.
+def test_each_trajectory_is_tested_once_per_tile_of_every_size(slots):
+    """Each slot is deeper than the slot before, and covers 64 x 64 pixels. The tests of 20 slots exceed one batch.
 
-    There are four quarters for each of 1, 4, 16, 64 and 256 tiles, and then 64 by 64 pixels.
+    Each slot is tested with the four quarters of 1, 4, 16, 64 and 256 tiles, and then with 64 by 64 pixels.
     """
     heights = 9.5 - 0.4 * np.arange(slots)
     points = [(x, 15.0, z) for k, z in enumerate(heights) for x in ((-30.0, 70.0) if k % 2 == 0 else (70.0, -30.0))]
@@ -183,13 +187,14 @@ def test_pair_of_tile_and_trajectory_counts_once_at_every_size(slots):
     assert sum(len(tiles.item) * tiles.side**2 for tiles, _ in found) == slots * 64 * 64
 
 
-def test_quarters_of_tiles_are_in_the_image_and_may_be_cut():
+def test_uncut_or_invisible_quarters_of_tiles_are_dropped():
     """The last tile of a row begins at column 384, and 16 of its 64 columns are in the image."""
     trajectories = of_slots(6.0)
     tiles = first_tiles(trajectories, TILE, np.array([320, 384]), np.array([64, 64]))
     found = quartered(trajectories, Upright(trajectories), tiles)
     assert found.side == 32
-    assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]  # no trajectory cuts below row 96
+    # No trajectory cuts below row 96 of the pixels.
+    assert sorted(told(found)) == [(320, 96, [0]), (352, 96, [0]), (384, 96, [0])]
 
 
 @pytest.mark.long

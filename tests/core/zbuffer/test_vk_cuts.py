@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The trajectories of several toolpaths: the source of each trajectory, and its duration."""
+"""The trajectories of several toolpaths: the operation and command of each trajectory, and its duration."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TOOL = Tool("endmill", 6)
 CUTS = Cuts(Cut(path, TOOL) for path in (ONE, NONE, OTHER))
 
 
-def test_trajectories_of_all_cuts_are_numbered_together():
+def test_trajectories_of_all_operations_are_numbered_together():
     assert len(CUTS) == 5 and CUTS.first.tolist() == [0, 2, 2, 5]
     assert CUTS.cut.tolist() == [0, 0, 2, 2, 2] and CUTS.command.tolist() == [0, 1, 2, 5, 5]
     assert [CUTS.source(k) for k in range(5)] == [
@@ -65,7 +65,7 @@ def test_trajectory_number_must_be_a_whole_number(number):
         CUTS.source(number)
 
 
-def test_empty_cuts_have_no_trajectories():
+def test_cuts_without_operations_have_no_trajectories():
     nothing = Cuts([])
     assert len(nothing) == 0 and nothing.cut.tolist() == nothing.seconds.tolist() == []
     assert [of.shape for of in nothing.ends] == [(0, 3), (0, 3)]

@@ -24,7 +24,7 @@ from vkworkbench.core.zbuffer.findings.seen_model import _connected_to_edge, aro
 
 FLAT = Tool("endmill", 6)
 WIDTH, HEIGHT, PIXEL = 200, 150, 0.2
-VIEW = View((0, 0, -1), WIDTH, HEIGHT)  # the image shows the block of 40 x 30 x 10 mm
+VIEW = View((0, 0, -1), WIDTH, HEIGHT)  # The image shows the block of 40 x 30 x 10 mm.
 
 
 def path(*points):
@@ -39,7 +39,10 @@ UNCUT = simulated()
 
 
 def left(most=None, tolerance=0.5, **patches):
-    """Return the worst places; patches with material left are (first column, first row, columns, rows, mm)."""
+    """Return the places with the most leftover material.
+
+    A patch of leftover is (first column, first row, number of columns, number of rows, mm).
+    """
     image = np.zeros((HEIGHT, WIDTH), np.float32)
     for column, row, columns, rows, amount in patches.values():
         image[row : row + rows, column : column + columns] = amount
@@ -52,11 +55,11 @@ def left(most=None, tolerance=0.5, **patches):
 
 
 def middle(column, row):
-    """Return the middle of a pixel, mm."""
+    """Return the X and Y of the middle of a pixel, mm."""
     return pytest.approx((PIXEL * (column + 0.5), PIXEL * (row + 0.5)))
 
 
-def test_extreme_of_a_pixel_includes_its_eight_neighbours():
+def test_maximum_around_a_pixel_includes_its_eight_neighbours():
     values = np.arange(20.0).reshape(4, 5)
     assert around(values, np.maximum).tolist() == [
         [6, 7, 8, 9, 9], [11, 12, 13, 14, 14], [16, 17, 18, 19, 19], [16, 17, 18, 19, 19]]  # fmt: skip
@@ -64,7 +67,7 @@ def test_extreme_of_a_pixel_includes_its_eight_neighbours():
         [0, 0, 1, 2, 3], [0, 0, 1, 2, 3], [5, 5, 6, 7, 8], [10, 10, 11, 12, 13]]  # fmt: skip
 
 
-def test_place_is_the_deepest_connected_pixel():
+def test_place_of_leftover_is_the_deepest_connected_pixel():
     """Two rectangles of leftover material; the second rectangle is deeper, and contains the deepest pixel."""
     two, one = left(one=(20, 30, 10, 4, 1.0), two=(150, 90, 6, 6, 2.0), deepest=(153, 94, 1, 1, 2.5))
     assert (one.depth, two.depth) == (1.0, 2.5)
@@ -87,9 +90,12 @@ def test_place_is_the_deepest_connected_pixel():
         ((30, 24, 3, 3), 2),
     ],
 )
-def test_touching_tiles_of_leftover_are_one_place(other, places):
-    """A tile has a side of 3 pixels, a fiftieth of 150. The first tile lies at column 30, row 30."""
-    for depth in (0.9, 1.1):  # the deeper rectangle is processed first
+def test_touching_squares_of_leftover_are_one_place(other, places):
+    """A square has a side of 3 pixels, which is a fiftieth of the image height of 150 pixels.
+
+    The first square lies at column 30, row 30.
+    """
+    for depth in (0.9, 1.1):  # The deeper rectangle is processed first.
         found = left(one=(30, 30, 3, 3, 1.0), other=(*other, depth))
         assert len(found) == places
         assert sum(place.area for place in found) == pytest.approx(18 * PIXEL**2)
@@ -120,10 +126,10 @@ def test_leftover_at_image_edges_is_found():
     assert [place.depth for place in found] == [4, 3, 2, 1]
     assert [place.place[:2] for place in found] == [middle(0, 0), middle(199, 0), middle(0, 149), middle(199, 149)]
     assert len(left(most=3, **corners)) == 3
-    assert len(left(tolerance=2.0, **corners)) == 2  # leftover of at most the tolerance is ignored
+    assert len(left(tolerance=2.0, **corners)) == 2  # Leftover of at most the tolerance is ignored.
 
 
-def test_leftover_in_edge_tiles_joins_its_neighbours():
+def test_leftover_at_the_image_corner_joins_its_neighbours():
     for other in ((3, 0, 3, 3), (0, 3, 3, 3), (3, 3, 3, 3)):
         for depth in (0.9, 1.1):
             assert len(left(one=(0, 0, 3, 3, 1.0), other=(*other, depth))) == 1
@@ -158,10 +164,10 @@ def test_leftover_above_model_is_measured_by_pixel():
     assert found.left == pytest.approx(np.full(WIDTH * HEIGHT, 2.0)) and not found.gouged.any()
 
 
-def test_pixels_beside_the_model_are_not_compared():
+def test_pixels_beside_the_model_have_no_deviations():
     """The model covers the left half of the image.
 
-    The neighbours of its last column miss the model, so this column is not a gouge.
+    Pixels next to the last column of the model miss the model, so the last column is not a gouge.
     """
     deep = simulated(path((-10, 15, 6), (50, 15, 6)))
     found = deviations(deep, Stock((0, 0, 0), (20, 30, 8)))
@@ -170,7 +176,7 @@ def test_pixels_beside_the_model_are_not_compared():
     assert left[20, :100] == pytest.approx(np.full(100, 2.0)) and not left[:, 100:].any() and not gouged[20].any()
 
 
-def test_model_calls_back_after_every_64_rows():
+def test_model_calls_the_callback_after_every_64_pixel_rows():
     strips = []
     SeenModel(BOX, UNCUT.frame, lambda: strips.append(1))
     assert len(strips) == 3
@@ -204,7 +210,7 @@ def test_forty_holes_are_forty_gouges():
 def test_allowed_depth_of_a_cut_is_not_a_gouge():
     """The first engraved line is 0.3 mm deep, the second 0.8 mm.
 
-    A tool that replaces another shape (allowed depth inf) has no gouges.
+    The allowed depth is infinite for a tool that replaces an unsupported shape, so this tool has no gouges.
     """
     lines = path((5, 5, 12), (5, 5, 9.7), (35, 5, 9.7), (35, 5, 12), (5, 25, 12), (5, 25, 9.2), (35, 25, 9.2))
 
@@ -247,7 +253,7 @@ class Milled(Convex):
 
     def spans(self, frame, x, y):
         near, far, gaps = self.block.spans(frame, x, y)
-        for _ in self.removed:  # repeat, because the order of the solids differs from ray to ray
+        for _ in self.removed:  # Rays meet the solids in different orders, so repeat the subtraction.
             for solid in self.removed:
                 begin, end, _ = solid.spans(frame, x, y)
                 near = np.where((begin <= near + 1e-9) & (end > near), end, near)
@@ -272,7 +278,7 @@ VIEWS = [(0, 0, -1), (1, 1, -1), (0, 1, -1), (-1, 0.5, -1), (0.3, -1, -0.4)]
 
 
 ROUGH = Stock((-1, -1, 0), (41, 31, 10))
-# Image centre and pixel size, mm: the whole part, the rim of the pocket, and the rims of both holes.
+# Image centre and pixel size, mm. The images show the whole part, the edge of the pocket, and the edges of both holes.
 IMAGES = [((0, 0), 0.4), ((-3, 0), 0.04), ((4, -5), 0.08), ((10, 4), 0.08)]
 
 
@@ -290,7 +296,7 @@ def test_correct_part_has_no_gouges(direction, offset, pixel):
 @pytest.mark.parametrize("offset, pixel", IMAGES)
 def test_only_cuts_into_the_model_are_gouges(direction, offset, pixel):
     """The rapid exposes walls that other operations cut correctly. Exposed walls are not gouges."""
-    # The rapid is the first or the last operation, alternating over the images and the views.
+    # The operation with the rapid is the first or the last, alternating over the images and the views.
     guilty = 3 * ((VIEWS.index(direction) + IMAGES.index((offset, pixel))) % 2)
     jobs = [FACING, POCKET, DRILLING]
     jobs.insert(guilty, CRASH)
@@ -402,15 +408,15 @@ def test_leftover_in_through_holes_and_windows_is_measured():
     around = Cut(
         path((11, 9, 12), *((x, y, -1) for x, y in ((11, 9), (29, 9), (29, 21), (11, 21), (11, 9)))), Tool("endmill", 2)
     )
-    assert max(left(around, model=window), default=0) < 0.45  # leftover in the corners of the window
+    assert max(left(around, model=window), default=0) < 0.45  # Only leftover in the corners of the window remains.
     assert left(model=window) == pytest.approx([10])
     assert left(model=Milled(BOX, Stock((10, 8, -1), (30, 40, 20)))) == []
 
 
-def test_leftover_begins_two_pixels_from_a_hole():
+def test_leftover_begins_two_pixels_from_a_through_hole():
     """A window of 20 x 14 mm covers columns 50 to 149 and rows 40 to 109.
 
-    Its left half, up to column 99, is cut out.
+    The left half of the window, up to column 99, is cut out.
     """
     half = Milled(BOX, Stock((10, 8, -1), (20, 22, 20)))
     z = simulate_job([], stock=half, view=VIEW, processes=1)
@@ -443,7 +449,7 @@ def test_piece_that_falls_out_is_ignored_in_oblique_view():
 
 
 def test_pixels_connected_to_the_image_edge_are_found():
-    """A flood fill, pixel by pixel, gives the reference."""
+    """A flood fill, pixel by pixel, finds the expected pixels."""
     for seed in range(20):
         rng = np.random.default_rng(seed)
         free = rng.random(rng.integers(3, 30, 2)) < 0.6

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rays cut by sequences of intervals, compared with the trajectory that is computed separately for each depth."""
+"""Rays cut by sequences of intervals: at each depth, the first interval with this depth removes the material."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, UNCUT, Pieces, first_
 
 @pytest.mark.parametrize("cuts", [0, 1, 2, 15])
 @pytest.mark.parametrize("thickness", [0.1, 2.0, 50.0])
-def test_first_trajectory_removes_each_depth_of_a_ray(cuts, thickness):
+def test_depth_of_a_ray_is_removed_by_first_trajectory_there(cuts, thickness):
     rng = np.random.default_rng(cuts)
     near, far = np.array([3.0, 3.2, 3.0]), 3.0 + thickness * np.array([1.0, 0.9, 1.0]) + [0, 0.2, 0]
     ray, trajectory = np.sort(rng.integers(0, 3, cuts)), rng.permutation(cuts)
@@ -25,14 +25,14 @@ def test_first_trajectory_removes_each_depth_of_a_ray(cuts, thickness):
             assert found.owner[piece] == min(trajectory[passing], default=UNCUT)
 
 
-def test_thin_first_piece_of_a_ray_joins_the_next():
+def test_thin_first_piece_of_a_ray_joins_the_next_piece():
     thin = 0.5 * THINNEST
     pieces = Pieces(np.array([0, 0]), np.array([1, 2]), np.array([3.0, 3.0 + thin]), np.array([3.0 + thin, 4.0]))
     found = without_thin(pieces, np.array([3.0]), np.array([4.0]))
     assert [of.tolist() for of in (found.ray, found.owner, found.near, found.far)] == [[0], [2], [3.0], [4.0]]
 
 
-def test_pieces_fill_their_rays_if_some_are_thin():
+def test_pieces_of_rays_leave_no_gaps_if_thin_pieces_are_dropped():
     """Some of the six pieces of each ray are thin. A ray with only thin pieces has no material."""
     for seed in range(20):
         rng = np.random.default_rng(seed)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The work of a simulation, also for finer images, and the speed of this computer, in small cases computed by hand."""
+"""The work of a simulation, in this image and in finer images, and the speed of this computer, computed by hand."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ FLAT = Tool("endmill", 6)
 
 
 def of_kind(**amounts):
-    """Return amounts by the kind of pair (a tile and a trajectory): kind_2=5 means five pairs of kind 2."""
+    """Return the number of pairs of a tile and a trajectory by kind: kind_2=5 means five pairs of kind 2."""
     return tuple(float(amounts.get(f"kind_{kind}", 0)) for kind in range(KINDS))
 
 
-# Two levels of tiles: tiles of 64 pixels, then tiles of 32 pixels with four times as many pairs of a tile and a
-# trajectory. The tiles of 16 pixels, whose pixels are cut, have twice as many pairs as the tiles of 32 pixels.
+# Tiles with a side of 64 pixels, then tiles with a side of 32 pixels with four times as many pairs of a tile and a
+# trajectory. The tiles with a side of 16 pixels, whose pixels are cut, have twice as many pairs as the tiles of 32.
 WORK = Work(
     trajectories=10, pixels=1000, first=50, pairs=(of_kind(kind_0=1e5), of_kind(kind_3=4e5)),
     cells=of_kind(kind_2=2 * 16**2 * 4e5), unconnected=0.25, records=(3, 2), bands=2, kinds=1.5,
@@ -41,25 +41,28 @@ def test_amounts_of_work_match_hand_count():
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
     assert cells == pytest.approx(2 * 16**2 * 4e5 * (CELLS[2] + 0.25 * SORTED))
     assert records == pytest.approx(3 * RECORDS[0] + 2 * RECORDS[1])
-    # A level of tiles has at least as many blocks as the image has bands, and never fewer than the preceding level.
+    # For each tile size, there is at least one batch of tests per band of the image. A smaller tile size never has
+    # fewer batches.
     assert blocks == pytest.approx(1.5 * (2 + 4e5 / PAIRS_AT_ONCE + 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
 def test_work_of_finer_image_moves_to_the_next_tile_size():
     """The finer image has four times as many pixels.
 
-    The number of cells grows by the geometric mean of 2 (growth to the last tiles) and 4 (growth of the pixels).
+    The number of cells (pairs of a pixel and a trajectory) grows by the geometric mean of 2 and 4: the pairs grow by 2
+    at
+    the last tile size, and the pixels grow by 4.
     """
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts(4.0)
     assert (trajectories, pixels, first) == (10, 4000, 200)
     assert cells == pytest.approx(sqrt(2 * 4) * WORK.amounts()[5]) and records == pytest.approx(4 * WORK.amounts()[6])
-    # The cost of tests grows by more than 4 from the first level to the second, so the growth is limited to 4.
+    # The cost of tests grows by more than 4 from the first tile size to the second, so the growth is limited to 4.
     assert tests == pytest.approx(4 * 1e5 * TESTS[0] * (4 + 16))
     each = max(4e5 / PAIRS_AT_ONCE, 4), 16e5 / PAIRS_AT_ONCE
     assert blocks == pytest.approx(1.5 * (sum(each) + sqrt(2 * 4) * 2 * 16**2 * 4e5 / PAIRS_AT_ONCE))
 
 
-def test_blocks_are_at_least_the_bands_of_the_image():
+def test_number_of_test_batches_is_at_least_the_number_of_bands():
     few = Work(1, 1, 1, (of_kind(kind_0=8), of_kind(kind_0=2)), of_kind(kind_0=9), 0, (1, 0), bands=3, kinds=2)
     assert few.amounts()[3] == pytest.approx(2 * (3 + 3 + 3))
     falling = Work(1, 1, 1, (of_kind(kind_0=5 * PAIRS_AT_ONCE), of_kind(kind_0=1)), of_kind(), 0, (1, 0), 0, 1)
@@ -70,35 +73,40 @@ def test_blocks_are_at_least_the_bands_of_the_image():
     "levels, growth, finer",
     [
         ([1, 2, 16], 1, [1, 2, 16]),
-        ([1, 2, 16], 2, [sqrt(2), 4, 16]),  # the shift is half a level, and each growth is limited to 4
+        # Twice the pixels shift the numbers by half a tile size. The growth between tile sizes is limited to 4.
+        ([1, 2, 16], 2, [sqrt(2), 4, 16]),
         ([1, 4], 4, [4, 16]),
         ([1, 4], 0.25, [0.25, 1]),
-        ([4, 2], 4, [4, 4]),  # a finer level has at least as many pairs
+        ([4, 2], 4, [4, 4]),  # Smaller tiles have at least as many pairs of a tile and a trajectory.
         ([5], 4, [20]),
         ([], 4, []),
         ([0, 4], 3, [0, 12]),
     ],
 )
-def test_pair_counts_of_finer_image_are_interpolated(levels, growth, finer):
+def test_tile_counts_of_a_finer_image_are_interpolated(levels, growth, finer):
     assert effort._shift_levels(np.array(levels, float), growth) == pytest.approx(finer)
 
 
 @pytest.mark.parametrize(
     "step, growth, factor", [(2, 4, sqrt(8)), (2, 16, 8), (8, 4, 4), (0.5, 4, 2), (3, 2, 12**0.25)]
 )
-def test_cell_growth_is_mean_of_last_level_and_pixels(step, growth, factor):
-    """If the pixels grow by 4, the cells grow by the geometric mean of 4 and the last level's growth (at least 1)."""
+def test_growth_of_cut_cells_is_the_geometric_mean_of_two_models(step, growth, factor):
+    """A cell is a pair of a pixel and a trajectory that cuts the pixel's ray.
+
+    If the number of pixels grows by 4, the number of cells grows by the geometric mean of 4 and the growth of the pairs
+    of a tile and a trajectory at the last tile size (at least 1).
+    """
     work = Work(1, 1, 1, (of_kind(kind_3=100),), of_kind(kind_3=step * 100 * 32**2), 0, (1, 0), 1, 1)
     assert work._cell_growth(growth) == pytest.approx(factor)
 
 
-def test_cells_without_levels_grow_like_the_pixels():
+def test_cut_cells_without_tile_counts_grow_like_the_pixels():
     assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
     assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
 
 
-def test_kinds_of_pairs_are_numbered_in_order():
-    """The number of a kind depends on the tool, on the move (level or sloped) and on the view."""
+def test_kinds_of_tile_and_trajectory_pairs_are_numbered_0_to_15():
+    """The number of the kind depends on the tool, on the move (level or sloped) and on the view."""
     tools = [FLAT, Tool("vbit", 6, tip_angle=pi / 2), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1)]
     found = [
         effort._kind_number(Kind(tool, level), upright)
@@ -111,7 +119,7 @@ def test_kinds_of_pairs_are_numbered_in_order():
 
 
 def tiles(sizes, side=8):
-    """Return tiles in a row with `sizes` trajectories each. Every trajectory is in one tile."""
+    """Return tiles in one row. Tile k contains `sizes[k]` trajectories, and every trajectory is in one tile."""
     first = np.append(0, np.cumsum(sizes))
     return Tiles(side, side * np.arange(len(sizes)), np.zeros(len(sizes), np.int64), first, np.arange(first[-1]))
 
@@ -123,19 +131,22 @@ def test_pairs_of_tile_and_trajectory_are_counted_by_kind():
     )
 
 
-def test_parent_of_smaller_tile_contains_it():
+def test_parent_tile_contains_the_smaller_tile():
     large = Tiles(8, np.array([8, 0, 16]), np.array([0, 8, 8]), np.arange(4), np.arange(3))
     small = Tiles(4, np.array([12, 0, 20, 8, 4]), np.array([4, 12, 8, 0, 8]), np.arange(6), np.arange(5))
     assert effort._parents(large, small).tolist() == [0, 1, 2, 0, 1]
 
 
-def test_all_tiles_are_kept_if_pairs_are_few():
+def test_all_tiles_are_sampled_if_they_have_few_trajectories():
     some, weight = tiles([10] * 10), np.full(10, 3.0)
     assert effort._draw_tiles(some, weight, np.ones(100), 100, np.random.default_rng(1)) == (some, weight)
 
 
-def test_equal_tiles_are_drawn_evenly():
-    """200 pairs of a tile and a trajectory are 20 of 100 tiles of 10 pairs, one of every five consecutive tiles."""
+def test_tiles_of_equal_cost_are_sampled_at_equal_distances():
+    """Each of 100 tiles has 10 pairs of a tile and a trajectory.
+
+    A sample of 200 pairs consists of 20 tiles, one of every five consecutive tiles.
+    """
     drawn, weight = effort._draw_tiles(
         tiles([10] * 100), np.full(100, 3.0), np.ones(1000), 200, np.random.default_rng(1)
     )
@@ -147,8 +158,8 @@ def test_equal_tiles_are_drawn_evenly():
         )
 
 
-def test_drawn_tiles_keep_the_total_cost():
-    """A tile whose cost equals the cost of all other tiles is always drawn and keeps its own weight."""
+def test_sampled_tiles_represent_the_total_cost_of_all_tiles():
+    """A tile whose cost equals the cost of all other tiles is always in the sample and keeps its weight."""
     rng = np.random.default_rng(2)
     sizes, weight = rng.integers(1, 9, 200), rng.uniform(1, 3, 200)
     cost = rng.uniform(0.1, 1, sizes.sum())
@@ -171,8 +182,11 @@ def test_chance_of_drawing_a_tile_is_at_most_one():
     assert effort._chances(np.array([8.0, 2, 1, 1]), 3) == pytest.approx([1, 1, 0.5, 0.5])
 
 
-def test_all_tiles_are_kept_if_costly_pairs_are_few():
-    """Each costly tile has one pair, so 50 pairs would be 50 tiles, but only 3 tiles exist."""
+def test_all_tiles_are_sampled_if_they_have_few_costly_pairs():
+    """Each costly tile has one pair of a tile and a trajectory.
+
+    A sample of 50 pairs would need 50 tiles, and only 3 exist.
+    """
     some, weight = tiles([100, 1, 1]), np.ones(3)
     cost = np.append(np.full(100, 1e-9), [1.0, 1.0])
     assert effort._draw_tiles(some, weight, cost, 50, np.random.default_rng(1)) == (some, weight)
@@ -204,7 +218,7 @@ def test_cost_of_crowded_tiles_is_estimated(monkeypatch):
 def test_sampled_first_tiles_represent_all_tiles(looked_at, count, monkeypatch):
     """The image has 9 x 7 tiles and two trajectories.
 
-    The sample is all tiles, or 120 / (2 + 1) tiles, but at least 24.
+    The sample contains all 63 tiles, or 120 / (2 + 1) tiles, or the minimum of 24 tiles.
     """
     monkeypatch.setattr(effort, "_LOOKED_AT", looked_at)
     view = View((0, 0, -1), 9 * TILE - 20, 7 * TILE - 20)
@@ -212,7 +226,8 @@ def test_sampled_first_tiles_represent_all_tiles(looked_at, count, monkeypatch):
     removal = Removal(Cuts([Cut(path, FLAT)]), BOX, view.frame(BOX))
     found, weight, every = effort._draw_first_tiles(removal, np.random.default_rng(3))
     assert every == 63 and weight == pytest.approx(np.full(count, 63 / count))
-    number = found.row // TILE * 9 + found.column // TILE  # the sample has one tile from each run of equal length
+    # The sample has one tile from each of `count` equally long runs of tiles.
+    number = found.row // TILE * 9 + found.column // TILE
     assert ((np.arange(count) * 63 // count <= number) & (number <= (np.arange(count) + 1) * 63 / count)).all()
     assert not (found.column % TILE).any() and not (found.row % TILE).any() and found.side == TILE
 
@@ -258,10 +273,10 @@ def test_calibration_toolpaths_are_cuts_inside_the_block():
 
 
 @pytest.mark.parametrize("rise", [0.0, 1.0])
-def test_bull_nose_cells_are_divided_by_length_of_move(rise):
+def test_cost_of_bull_nose_pixels_depends_on_the_length_of_move(rise):
     """Rays pass a long sweep mostly between its ends, and a short sweep mostly at an end.
 
-    Only oblique bull-nose cells differ.
+    Only bull-nose tools in oblique views have different costs for rays between the ends and for rays at an end.
     """
     stock, bull_nose = Stock((0, 0, 0), (60, 60, 10)), Tool("bullnose", 6, corner_radius=1)
 

@@ -14,8 +14,8 @@ from vkworkbench.core import Cut, Stock, Tool, View
 from vkworkbench.core.zbuffer import removed_volumes, simulate_job
 
 BLOCK, MODEL = Stock((0, 0, 0), (40, 30, 10)), Stock((0, 0, 0), (40, 30, 8))
-FLAT, VIEW = Tool("endmill", 6), View((0, 0, -1), 400, 300)  # pixels of 0.1 mm
-SLOT, ROUND = 6 * 3, 9 * pi * 3  # mm^3 per mm of a slot, and mm^3 under the tool's end
+FLAT, VIEW = Tool("endmill", 6), View((0, 0, -1), 400, 300)  # The view has pixels of 0.1 mm.
+SLOT, ROUND = 6 * 3, 9 * pi * 3  # Volumes removed per mm of a slot (mm^2), and by the tool's end (mm^3).
 
 
 def path(points, feeds):
@@ -29,13 +29,13 @@ def simulated(*paths):
     return simulate_job([Cut(one, FLAT) for one in paths], stock=BLOCK, view=VIEW)
 
 
-# Through the block at two feeds (3 and 1.5 s), up (1 s), back by rapid, and through the same slot again (6 s).
+# The tool crosses the block at two feeds (3 and 1.5 s), rises (1 s), returns by rapid, and crosses the same slot (6 s).
 THERE_AGAIN = path(
     [(-10, 15, 7), (20, 15, 7), (50, 15, 7), (50, 15, 12), (-10, 15, 12), (-10, 15, 7), (50, 15, 7)],
     [10, 20, 5, 0, 0, 10],
 )
 SECOND = 20 * SLOT - ROUND / 2
-# Half a second in a slot, a rapid through the whole block, and 2 s in another slot.
+# The tool cuts a slot for half a second, crosses the whole block by rapid, and cuts another slot for 2 s.
 CRASH = path(
     [(10, 15, 7), (15, 15, 7), (15, 15, 12), (-5, 5, 12), (-5, 5, 7), (45, 5, 7), (45, 5, 12), (10, 25, 12), (10, 25, 7),
      (30, 25, 7)],
@@ -63,10 +63,10 @@ def test_removal_rates_of_years_of_machining_need_no_memory():
     """
     found = facts(simulated(path([(-10, 15, 7), (50, 15, 7)], [1e-6]), path([(-10, 5, 7), (990, 5, 7)], [1e-6]))).job
     assert found.cutting_seconds == pytest.approx(1.06e9)
-    assert found.peak_rate == pytest.approx(60e-6 * SLOT * 40 / 60, rel=0.01)  # 40 of the 60 mm are in the block
+    assert found.peak_rate == pytest.approx(60e-6 * SLOT * 40 / 60, rel=0.01)  # Only 40 of the 60 mm are in the block.
 
 
-def test_removal_rate_counts_less_than_a_second_as_one():
+def test_removal_rate_of_a_job_below_a_second_is_per_second():
     found = facts(simulated(path([(10, 15, 7), (15, 15, 7)], [10]))).job
     assert found.peak_rate == pytest.approx(60 * (5 * SLOT + ROUND), rel=5e-3)
 
@@ -78,7 +78,7 @@ def test_peak_removal_rate_may_lie_inside_one_move():
 
 
 def test_rapid_has_no_time_and_no_removal_rate():
-    """The rapids removed the material under the ends of the second slot and of the rapid."""
+    """The vertical rapids removed the material at the ends of the rapid and of the second slot."""
     short, slot = 5 * SLOT + ROUND, 20 * SLOT
     found = facts(simulated(CRASH)).job
     assert found.removed_volume == pytest.approx(short + 40 * SLOT + ROUND + slot, rel=5e-3)
@@ -86,7 +86,8 @@ def test_rapid_has_no_time_and_no_removal_rate():
         (60 * (short + slot) / 2.5, 60 * (short + slot / 4)), rel=5e-3
     )
     assert (found.cutting_length, found.cutting_seconds, found.air_length) == pytest.approx((25, 2.5, 0))
-    assert found.width_of_cut == pytest.approx(6, rel=5e-3)  # the mean over the feed moves, without the rapid
+    # The width is the mean over the feed moves, without the rapid.
+    assert found.width_of_cut == pytest.approx(6, rel=5e-3)
 
 
 def test_lengths_and_times_are_divided_into_cuts_and_air():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pieces of a few rays, written down by hand, as dexels, traces and sums."""
+"""Dexels, traces and removed lengths of a few rays, from pieces of the rays that are written down by hand."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ import pytest
 from vkworkbench.core.zbuffer.rays import records as module
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, Writer, side_by_side
 
-TRAJECTORIES = 3  # the number 3 marks material that stays
-# Pieces of pixels 0 to 5: cut, stays, cut; none; stays, gap, stays, stays; cut; cut, cut, stays; stays.
+TRAJECTORIES = 3  # In `OWNER`, the number 3 means material that stays.
+# The rays of pixels 0 to 5 consist of these pieces: 0: cut, stays, cut. 1: none. 2: stays, gap, stays, stays. 3: cut.
+# 4: cut, cut, stays. 5: stays.
 INDEX = [0, 3, 3, 7, 8, 11, 12]
 ENTRY = [-5.0, 0.0, -4.0, 1.0, 2.0, 6.0]
 FAR = [-3.0, 1.0, 5.0, -2.0, 0.0, 1.5, 4.0, 3.0, 3.0, 5.0, 9.0, 8.0]
@@ -32,13 +33,13 @@ def same(one, other):
 
 
 def part(rays, begin, end):
-    """Return the records (dexels and traces) of some pixels."""
+    """Return the dexels and traces of the pixels from `begin` to `end`."""
     own = slice(rays.index[begin], rays.index[end])
     index = rays.index[begin : end + 1] - rays.index[begin]
     return Records(TRAJECTORIES, index, rays.entry[begin:end], rays.far[own], rays.owner[own])
 
 
-def test_near_ends_and_pixels_of_pieces_are_computed():
+def test_near_ends_and_pixels_of_pieces_of_rays_are_computed():
     rays = records()
     assert rays.near().tolist() == NEAR and rays.pixel().tolist() == PIXEL
     assert rays.cut.tolist() == [True, False, True, *[False] * 4, True, True, True, False, False]
@@ -46,7 +47,7 @@ def test_near_ends_and_pixels_of_pieces_are_computed():
 
 
 @pytest.mark.parametrize("block", [1, 2, 4, 1 << 17])
-def test_removed_lengths_do_not_depend_on_block_size(block, monkeypatch):
+def test_removed_lengths_on_rays_do_not_depend_on_batch_size(block, monkeypatch):
     monkeypatch.setattr(module, "_BLOCK", block)
     rays = records()
     assert rays.lengths.tolist() == [2 + 2, 1, 4 + 2]
@@ -61,11 +62,11 @@ def test_removed_lengths_do_not_depend_on_block_size(block, monkeypatch):
         same(of, part(rays, at, at + len(of.entry)))
         at += len(of.entry)
     assert at == 6
-    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # pieces of one ray stay in one block
+    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # The pieces of one ray stay in one batch.
 
 
-def test_many_trajectories_make_larger_blocks(monkeypatch):
-    """Each block needs sums over all trajectories, so a block has at least a quarter as many pieces as trajectories."""
+def test_batches_of_rays_are_larger_for_many_trajectories(monkeypatch):
+    """Each batch needs sums over all trajectories, so a batch has at least a quarter as many pieces as trajectories."""
     monkeypatch.setattr(module, "_BLOCK", 1)
     many = Records(24, *(getattr(records(), name) for name in ("index", "entry", "far", "owner")))
     assert [pixel for pixel, _, _ in many.blocks()] == [0, 2]
@@ -80,7 +81,7 @@ def test_many_trajectories_make_larger_blocks(monkeypatch):
         (3, [(-3, 1, 0), (-4, -2, 2), (0, 4, 2), (5, 9, 4), (6, 8, 5)]),
     ],
 )
-def test_dexels_are_the_pieces_left_after_some_trajectories(step, expected):
+def test_dexels_are_pieces_of_rays_that_are_not_yet_removed(step, expected):
     assert records().dexels(step).tolist() == expected
 
 
@@ -90,7 +91,7 @@ def test_each_trace_is_the_removal_of_one_trajectory():
     assert rays.trace_index().tolist() == [0, 2, 2, 2, 3, 5, 5]
 
 
-def test_adjacent_parts_are_joined_to_one_image():
+def test_adjacent_parts_of_an_image_are_joined():
     """The image has three columns and two rows. The first part has one column, and the second part has two."""
     whole = records()
     rows = [[part(whole, 3 * row + a, 3 * row + b) for row in range(2)] for a, b in ((0, 1), (1, 3))]
@@ -112,8 +113,8 @@ def test_bands_of_rows_are_joined_to_one_image(bands):
     same(written.records(), whole)
 
 
-def test_growing_arrays_are_copied_only_a_few_times():
-    """The arrays grow by an eighth, so 4,096 bands of one piece each cause only a few copies."""
+def test_growing_arrays_of_pieces_are_copied_only_a_few_times():
+    """The arrays grow by an eighth, so appending one piece of a ray 4,096 times causes only a few copies."""
     written, band = Writer(TRAJECTORIES, 4096), part(records(), 5, 6)
     sizes = set()
     for _ in range(4096):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scattered rays: the result for a ray does not depend on the other rays or on the number of rays in a group."""
+"""Rays at any positions: the cuts of a ray do not depend on the other rays or on the number of rays in a group."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def told(pieces, ray):
 
 
 def alike(told):
-    """Return an approximate copy: the last bits depend on the number of rays in a batch."""
+    """Return an approximate copy, because the last bits of the depths depend on the number of rays in a batch."""
     owner, *ends = told
     return [owner, *map(pytest.approx, ends)]
 
@@ -36,7 +36,7 @@ def alike(told):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (1, 0.5, -0.3)])
 @pytest.mark.parametrize("count", [1, GROUP, 5 * GROUP + 3])
 def test_ray_in_a_batch_is_cut_like_a_single_ray(count, direction, monkeypatch):
-    """A third of the rays miss the stock. The result does not depend on the number of tests of rays in one step."""
+    """A third of the rays miss the stock. The cuts of the rays do not depend on the number of rays in a batch."""
     removal, rng = random_removal(count, direction)
     x, y = rng.uniform(-30, 30, (2, count))
     together, passes = removal.cut(x, y)
@@ -53,7 +53,10 @@ def test_ray_in_a_batch_is_cut_like_a_single_ray(count, direction, monkeypatch):
 
 @pytest.fixture
 def slots():
-    """Return slots along X at y = 5 (two heights) and y = 25. Image coordinates begin in the block's middle."""
+    """Return slots along X at y = 5 (two heights) and y = 25.
+
+    The origin of the image coordinates is the block's middle.
+    """
     points = [(5, 5, 8), (35, 5, 8), (35, 5, 20), (5, 5, 20), (5, 5, 4), (35, 5, 4)]
     points += [(35, 5, 20), (5, 25, 20), (5, 25, 6), (35, 25, 6)]
     path = toolpath(np.array(points, float))
@@ -63,7 +66,7 @@ def slots():
 def test_ray_is_tested_with_passing_trajectories_only(slots):
     x, y = np.array([0.0, 0.0, 0.0, 30.0]), np.array([-10.0, 0.0, 10.0, 0.0])
     pieces, passes = slots.cut(x, y)
-    # Each ray in a slot is passed by one move at each height. The plunges at the ends are too far away.
+    # One move at each height passes each ray in a slot. The plunges at the ends of the slots are too far away.
     assert passes.tolist() == [2, 0, 1, 0]
     assert told(pieces, 0) == [[0, 4, UNCUT], pytest.approx([-5, -3, 1]), pytest.approx([-3, 1, 5])]
     assert told(pieces, 1) == [[UNCUT], [-5], [5]]
@@ -81,13 +84,13 @@ def test_single_ray_of_a_group_is_cut(slots):
     ("allowed", "parts"),
     [
         (3, [(0, 16, [0, 0]), (16, 64, [0, 0, 1]), (64, 67, [0, 0])]),
-        # one group alone may exceed the limit
+        # One group of rays alone may exceed the limit.
         (1, [(0, 16, [0, 0]), (16, 32, [0, 0]), (32, 64, [0]), (64, 67, [0, 0])]),
         (100, [(0, 67, [0, 0, 1, 1, 2, 4, 4])]),
     ],
 )
-def test_groups_of_rays_are_joined_up_to_a_number_of_pairs(slots, allowed, parts, monkeypatch):
-    """The groups of rays are passed by two, two, one and no trajectories, and the last group, of three rays, by two."""
+def test_groups_of_rays_are_joined_up_to_a_number_of_tests(slots, allowed, parts, monkeypatch):
+    """Two, two, one and no trajectories pass the full groups of rays, and two pass the last group of three rays."""
     y = np.repeat([-10.0, -10, 10, 0, -10], GROUP)[: 4 * GROUP + 3]
     monkeypatch.setattr(module, "_PAIRS_HELD", allowed * GROUP)
     found = [(first, last, group.tolist()) for first, last, group, _ in slots._meetings(np.zeros(len(y)), y)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The estimated cost of a simulation, compared with the exact cost, its error bar, and the image for a budget."""
+"""The estimated cost of a simulation with its error bar, the exact cost, and the image size for a budget."""
 
 from __future__ import annotations
 
@@ -135,7 +135,7 @@ def test_estimated_counts_grow_with_the_number_of_pixels():
     coarse, fine = (
         estimate(toolpath, None, tool=tool, stock=STOCK, view=View(width=k * 400, height=k * 300)) for k in (1, 3)
     )
-    # Each pixel is cut or not cut, so the outlines of the contours may differ by a pixel.
+    # Each pixel is either cut or not cut, so the edges of the cut areas may differ by a pixel.
     assert fine.traces == pytest.approx(9 * coarse.traces, abs=18 * coarse.traces_error)
     assert fine.dexels == pytest.approx(9 * coarse.dexels, rel=1e-3)
 
@@ -168,7 +168,7 @@ def test_estimate_counts_only_the_part_in_the_image():
     assert found.traces == pytest.approx(exact.traces, rel=0.03) == 20000
 
 
-def test_estimated_memory_is_the_memory_for_the_refusal():
+def test_estimated_memory_is_the_memory_that_decides_on_refusal():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View())
     assert found.memory_bytes == memory_needed([Cut(toolpath, tool)], stock=STOCK, view=View())
@@ -176,13 +176,13 @@ def test_estimated_memory_is_the_memory_for_the_refusal():
     assert found.stock_bytes == pytest.approx(nothing.memory_bytes, rel=1e-3) and found.stock_bytes < found.memory_bytes
 
 
-def test_explanation_contains_the_cuts_per_pixel():
+def test_explanation_of_cost_contains_the_cuts_per_pixel():
     toolpath, tool = PATHS["zigzag"]
     found = estimate(toolpath, recognize(toolpath, tool_diameter=6), tool=tool, stock=STOCK, view=View())
     assert found.explanation == "zigzag, stepover 3 mm: each pixel is cut 2.0 times"
 
 
-def test_explanation_contains_the_known_facts():
+def test_explanation_of_cost_contains_strategy_and_stepover():
     toolpath, tool = PATHS["contours"]
     view = View(width=80, height=60)
     for known, words in (
@@ -243,7 +243,7 @@ def test_estimate_is_close_for_a_tool_larger_than_the_stock():
     assert found.traces == pytest.approx(200 * 150, rel=1e-3)
 
 
-def test_number_of_tests_per_trajectory_does_not_grow(monkeypatch):
+def test_ten_times_the_chords_need_few_more_tests_per_chord(monkeypatch):
     tested = []
     intervals = Removal.intervals
 
@@ -276,15 +276,18 @@ def test_areas_of_silhouettes_are_exact():
     assert covered(cylinder, View((1, 0, 0))) == pytest.approx(20 * 30, rel=0.005)
 
 
-def test_noisy_measurement_gives_positive_constants():
+def test_noisy_time_measurements_give_positive_constants():
     amounts = 1 / np.array(Speed().constants) * (np.eye(7) + 0.1)
     seconds = amounts @ Speed().constants * [1e-6, 5, 1, 1, 1, 1, 1]
     assert (fit_speed(amounts, seconds).constants > 0).all()
 
 
 @pytest.mark.parametrize("direction", [TOP, TILTED, ISOMETRIC], ids=["top", "tilted", "isometric"])
-def test_candidates_are_pairs_of_pixel_and_trajectory(direction):
-    """The path follows the edge of the stock, and also lies beside the stock. Only its part over the stock counts."""
+def test_candidates_are_pixels_passed_by_trajectories(direction):
+    """The path follows the edge of the stock, and also lies beside the stock.
+
+    Only the part of the path over the stock counts.
+    """
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
     view = View(direction, 240, 180)
     frame = view.frame(STOCK)
@@ -296,7 +299,7 @@ def test_candidates_are_pairs_of_pixel_and_trajectory(direction):
 
 @pytest.mark.long
 @pytest.mark.parametrize("direction", [TOP, TILTED], ids=["top", "tilted"])
-def test_work_of_a_job_includes_all_operations(direction):
+def test_estimated_work_of_a_job_includes_all_operations(direction):
     """An operation of many moves does not hide an operation of few moves in another place."""
     cuts = [Cut(*PATHS[name]) for name in ("zigzag", "surface", "helix")] + [Cut(zigzag(0.5, chords=40), FLAT)]
     view = View(direction, 320, 240)
@@ -311,8 +314,8 @@ def test_work_of_a_job_includes_all_operations(direction):
 def test_estimated_work_equals_the_work_of_the_simulator(names, direction, monkeypatch):
     """The estimate uses a few tiles.
 
-    The test compares the numbers of tested pairs (of a tile or pixel and a trajectory) and of blocks, which are calls
-    that bound or cut pairs of one kind.
+    The test compares the number of tested pairs of a tile or pixel and a trajectory. It also compares the number of
+    batches, which are calls of the simulator for pairs of one kind.
     """
     worked = []
     divided = Trajectories.by_kind
@@ -336,9 +339,9 @@ def test_estimated_work_equals_the_work_of_the_simulator(names, direction, monke
     assert found.seconds == pytest.approx(found.speed.constants @ found.work.amounts())
 
 
-def test_kinds_of_trajectories_need_own_blocks_in_common_bands():
+def test_kinds_of_trajectories_in_a_band_are_batched_separately():
     row, behind = path([(5, 5, 15), (75, 5, 15)]), path([(5, 55, 15), (75, 55, 15)])
-    view = View(TOP, 640, 480)  # 60 mm are 7.5 bands of 64 rows
+    view = View(TOP, 640, 480)  # The 60 mm of the stock are 7.5 bands of 64 rows of pixels.
 
     def work(*cuts):
         return estimate_job(
@@ -350,13 +353,14 @@ def test_kinds_of_trajectories_need_own_blocks_in_common_bands():
     apart = work((row, 6), (behind, 4))
     assert apart.kinds < 0.7 and apart.bands == pytest.approx(7.5, rel=0.15)
     assert work((row, 6)).bands == pytest.approx(1 + 6 / 8, rel=0.15)
-    assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # the path is above the stock
-    # only the part in the image counts
+    assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # The path is above the stock.
+    # Only the part of the path in the image counts.
     assert work((path([(40, -50, 15), (40, 10, 15)]), 6)).bands == pytest.approx(1 + 13 / 8)
-    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8  # the number is limited to the bands of the image
+    # The number of bands is limited to the bands of the image.
+    assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8
 
 
-def test_work_in_another_image_is_computed_from_one_estimate():
+def test_work_for_another_image_size_needs_no_new_estimate():
     toolpath, tool = PATHS["surface"]
     few, many = (
         estimate(toolpath, None, tool=tool, stock=STOCK, view=View(TILTED, w, w * 3 // 4)) for w in (400, 1200)
@@ -391,9 +395,9 @@ def test_speed_is_computed_from_measured_times():
 
 
 def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
-    """With the default speed, each run uses only this process and an image of whole tiles.
+    """Each run uses only this process and an image of whole tiles, and takes below 0.1 s at the default speed.
 
-    The work of each run is given to the fit.
+    The work of each run is an input of the fit.
     """
     runs, works = [], []
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
@@ -410,7 +414,7 @@ def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
 
 @pytest.mark.long
 def test_speed_of_this_computer_can_be_measured():
-    ticks = count(step=0.25)  # every run has the same, steady duration
+    ticks = count(step=0.25)  # Every run has the same duration.
     speed = measure_speed(clock=lambda: next(ticks))
     assert (speed.constants > 0).all() and speed.factor < Speed().factor
 
@@ -424,19 +428,21 @@ def test_simulation_and_pictures_stay_within_memory_budget(name, direction):
     for budget in (60e6, 1e9):
         chosen = best_resolution([found], memory_bytes=budget)
         needed = memory_needed([Cut(toolpath, tool)], stock=STOCK, view=chosen.view)
-        assert 0.96 * budget < needed <= budget  # so the simulation is not refused
+        assert 0.96 * budget < needed <= budget  # The memory budget does not refuse the simulation.
         assert 0.97 * budget < chosen.memory_bytes <= 0.98 * budget
         assert "limited by the memory" in chosen.explanation
 
 
-def test_image_for_a_time_budget_takes_this_time():
+def test_image_size_for_a_time_budget_uses_the_whole_budget():
     toolpath, tool = PATHS["surface"]
     speed = Speed(trajectory=1e-5)
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=speed)
     chosen = best_resolution([found], seconds=found.seconds / 3, memory_bytes=1e12)
     again = estimate(toolpath, None, tool=tool, stock=STOCK, view=chosen.view, speed=speed)
-    assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)  # the size in whole pixels causes the error
-    assert again.seconds == pytest.approx(found.seconds / 3, rel=0.1)  # other tiles are drawn in another image
+    # The error arises because the image has whole pixels.
+    assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)
+    # Each image draws its own random sample of tiles.
+    assert again.seconds == pytest.approx(found.seconds / 3, rel=0.1)
     assert "limited by the time" in chosen.explanation
 
 
@@ -449,7 +455,7 @@ def test_best_resolution_keeps_the_field_of_view():
 
 
 @pytest.mark.parametrize("pixels, sides", [(650, (2, 254)), (40, (1, 40)), (1, (1, 1))])
-def test_image_of_a_strip_stays_within_the_budget(pixels, sides):
+def test_image_with_3_pixels_in_a_row_stays_within_the_budget(pixels, sides):
     for turn in (1, -1):
         width, height = (3, 300)[::turn]
         found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View(width=width, height=height))
@@ -470,7 +476,7 @@ def test_operations_of_a_job_share_one_stock():
     assert two.view.width == pytest.approx(ratio * one.view.width, rel=2e-3)
 
 
-def test_memory_of_several_operations_is_combined():
+def test_job_memory_has_largest_temporary_arrays_and_all_traces():
     """Temporary arrays of 1 and 3 GB need 3 GB, because only one is held at a time.
 
     Trajectories, dexels and traces are added.
@@ -479,7 +485,8 @@ def test_memory_of_several_operations_is_combined():
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
 
     def needed(*estimates):
-        return best_resolution(estimates, memory_bytes=1.0).memory_bytes  # this is the memory for a single pixel
+        # This is the memory for an image of one pixel.
+        return best_resolution(estimates, memory_bytes=1.0).memory_bytes
 
     assert needed(small, large) == needed(large, small)
     assert needed(small, large) - needed(small, small) == pytest.approx(2e9)
@@ -487,7 +494,7 @@ def test_memory_of_several_operations_is_combined():
     assert needed(many, many) - needed(many) == pytest.approx(needed(many) - 1e9, rel=1e-3)
 
 
-def test_explanation_has_advice_if_no_resolution_is_possible():
+def test_budget_too_small_for_any_resolution_gives_advice():
     toolpath, tool = PATHS["surface"]
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=Speed(trajectory=1.0))
     chosen = best_resolution([found], seconds=10)
@@ -502,7 +509,7 @@ def test_explanation_has_advice_if_no_resolution_is_possible():
     )
 
 
-def test_slowest_of_several_operations_is_named():
+def test_explanation_names_the_slowest_of_several_operations():
     assert heaviest(["Face", "Bore"], [1.0, 3.0]).arguments == {"label": "Bore", "time": 3.0}
     assert heaviest(["Face"], [1.0]) is None and heaviest([], [1.0, 3.0]) is None
 
@@ -514,7 +521,7 @@ def test_passes_are_visible_with_four_pixels_per_stepover():
         in best_resolution([found], memory_bytes=2e7, stepover=3).explanation
     )
     assert "Passes 3 mm apart need 0.75 mm." in best_resolution([found], memory_bytes=1.44e7, stepover=3).explanation
-    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # the stepover is unknown
+    assert "passes" not in best_resolution([found], memory_bytes=2e7).explanation  # The stepover is unknown.
 
 
 @pytest.mark.parametrize("budget", [{}, {"seconds": 0}, {"memory_bytes": float("nan")}, {"seconds": -1.0}])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sample of rays: their positions, the areas that they represent, and the counts estimated from them."""
+"""The sample of rays: the positions of the rays, the areas that they represent, and the estimated counts of dexels."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ def drawn(*arguments, seed=1, **options):
     return found, sample(found, np.random.default_rng(seed))
 
 
-def test_error_of_a_sampled_total_is_from_neighbouring_rays():
-    """The differences of the shares 2, 4 and 8 are 2 and 4.
+def test_error_of_a_total_uses_differences_of_neighbouring_rays():
+    """The three rays contribute 2, 4 and 8 to the total, with differences of 2 and 4.
 
-    The variance is half the sum of their squares, times 3 / 2.
+    The variance is half the sum of the squared differences, times 3 / 2.
     """
     rays = Sample(np.zeros(3), np.zeros(3), np.full(3, 2.0))
     assert rays.total(np.array([1, 2, 4])) == (14, pytest.approx(np.sqrt((4 + 16) / 2 * 3 / 2)))
@@ -54,10 +54,10 @@ def test_error_of_a_sampled_total_is_from_neighbouring_rays():
         ([(20, 10, 5), (20, 20, 5)], 6.5, 16.5),
     ],
 )
-def test_samples_represent_passed_box_plus_half_pixel(points, width, height):
+def test_samples_represent_box_of_the_sweep_plus_half_a_pixel(points, width, height):
     found, rays = drawn(points)
     total, _ = rays.total(np.ones(len(rays.x)))
-    # The boxes of long moves are divided, and the parts overlap.
+    # The bounding box of a long move is divided into parts that overlap.
     assert total == pytest.approx(width * height, rel=0.01 if max(width, height) > 10 else 1e-9)
     assert len(rays.x) == 450
     low, high = found.box[[0, 2], 0], found.box[[1, 3], 0]
@@ -73,13 +73,13 @@ def test_samples_of_a_partial_view_represent_the_image():
 @pytest.mark.parametrize(
     "holes",
     [
-        # one hole is left of the image, the other right of the image
+        # One hole is on the left of the image, the other hole on the right of the image.
         [(5, 15, 5), (5, 15, 20), (35, 15, 20), (35, 15, 5)],
         [(5, 15, 5), (5, 15, 8)],
         [(20, 5, 5), (20, 5, 8)],
     ],
 )
-def test_image_beside_the_holes_has_no_samples(holes):
+def test_image_that_shows_no_cut_has_no_sampled_rays(holes):
     found, rays = drawn(holes, view=View(TOP, 8, 6, pixel=0.5))
     assert len(rays.x) == len(rays.y) == len(rays.area) == 0 and count(found).traces == 0
 
@@ -116,7 +116,7 @@ def test_sampled_rays_go_through_pixel_centres():
     _, rays = drawn([(10, 15, 5), (30, 15, 5)])
     column, row = rays.x / 0.5 + 40 - 0.5, rays.y / 0.5 + 30 - 0.5
     assert np.allclose(column, np.rint(column)) and np.allclose(row, np.rint(row))
-    # Each part of the 26.5 mm contains some rays.
+    # Each sixth of the slot's box (26.5 x 6.5 mm) contains at least half of the mean number of rays.
     for place, extent in ((rays.x, 26.5), (rays.y, 6.5)):
         assert np.histogram(place - place.mean(), 6, (-extent / 2, extent / 2))[0].min() > 450 / 6 / 2
 
@@ -126,7 +126,7 @@ def test_no_ray_is_drawn_where_no_trajectory_passes():
         assert len(drawn(points)[1].x) == 0
     _, rays = drawn([(2, 2, 5), (4, 2, 5), (4, 2, 20), (36, 28, 20), (36, 28, 5), (38, 28, 5)])
     assert (np.abs(rays.x) > 12).all() and (np.abs(rays.y) > 7).all()
-    # rel=0.3, because whole cells are sampled
+    # The tolerance is 0.3, because whole cells of the sampling grid represent the area.
     assert rays.total(np.ones(len(rays.x)))[0] == pytest.approx(2 * 7.25 * 5.25, rel=0.3)
 
 
@@ -141,8 +141,11 @@ def test_crowded_area_has_more_rays_with_smaller_areas():
     assert rays.total(left)[0] == pytest.approx(rays.total(right)[0], rel=0.05)
 
 
-def test_rays_with_many_passes_are_fewer_but_at_least_100():
-    """All moves pass every cell. With more than 333 moves, the rays together meet about 150,000 moves, but there are at least 100 rays."""
+def test_sample_has_fewer_rays_if_each_ray_is_passed_often():
+    """Every move passes the whole image. The sample has 450 rays, or as many as meet 150,000 moves in total.
+
+    The sample never has fewer than 100 rays.
+    """
     for many, rays in ((100, 450), (1000, 150), (3000, 100)):
         assert len(drawn([(20, 15, 5), (20.1, 15, 5)] * (many // 2), WIDE)[1].x) == pytest.approx(rays, abs=1)
 
@@ -161,7 +164,7 @@ def test_estimated_counts_of_an_image_cut_through_are_close():
     assert counts.dexels == pytest.approx(0, abs=1e-6 * 4800) and counts.traces == pytest.approx(4800, rel=0.05)
 
 
-def test_passed_pixels_without_cuts_are_not_touched():
+def test_pixels_count_as_cut_once_if_only_the_first_pass_cuts():
     counts = count(removal([(0, 15, 5), (40, 15, 5)] * 3, WIDE))
     assert counts.traces == counts.touched == pytest.approx(4800, rel=0.05)
     assert counts.passes == pytest.approx(5 * counts.traces)
@@ -176,7 +179,7 @@ def test_walls_around_a_slot_are_two_dexels():
     assert counts.traces == pytest.approx(34 * 5 * per_area, rel=0.05)
 
 
-def test_only_cut_pixels_count_as_touched():
+def test_pixels_of_the_bounding_box_beside_the_slot_are_not_cut():
     """The slot covers 26 x 6 mm of its bounding box, without the four corners outside the round ends."""
     counts = count(removal([(10, 15, 5), (30, 15, 5)]))
     assert counts.touched == counts.traces == pytest.approx((6 * 20 + 9 * np.pi) * 4, rel=0.03)
@@ -194,7 +197,7 @@ def test_rays_beside_a_round_stock_have_no_dexel():
 
 @pytest.mark.parametrize("side", [2, 4, 8, 16])
 def test_morton_curve_fills_one_square_after_another(side):
-    """Because of this order, the cells of a stratum are neighbours."""
+    """The sampling grid is numbered along the curve, so consecutive cells are neighbours."""
     row, column = (of.reshape(-1, side**2) for of in np.divmod(_ORDER, _CELLS))
     assert (np.ptp(row, axis=1) == side - 1).all() and (np.ptp(column, axis=1) == side - 1).all()
     assert sorted(_ORDER.tolist()) == list(range(_CELLS**2))

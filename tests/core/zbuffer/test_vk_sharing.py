@@ -110,7 +110,7 @@ def test_short_simulation_is_not_shared(monkeypatch):
     monkeypatch.setattr(sharing, "_ALONE", 60.0)
     assert simulate(path, **solids, processes=4).traces > 0
     monkeypatch.setattr(sharing, "_ALONE", -1.0)
-    with pytest.raises(TypeError):  # Worker is None, so starting a worker fails
+    with pytest.raises(TypeError):  # `Worker` is None, so starting a worker process fails.
         simulate(path, **solids, processes=4)
 
 
@@ -125,8 +125,8 @@ def test_number_of_workers_is_the_number_of_other_cores(workers, monkeypatch):
 
 
 @pytest.mark.long
-def test_work_beyond_memory_stays_in_this_process(monkeypatch):
-    """Memory runs out while records are received, and then in the thread of the worker."""
+def test_work_stays_in_this_process_if_memory_runs_out(monkeypatch):
+    """Memory runs out while dexels and traces are received, and then in the thread that serves the worker."""
 
     def no_memory(*_):
         raise MemoryError
@@ -200,7 +200,7 @@ def test_stopping_ends_all_processes(moment, workers):
 
 
 @pytest.mark.long
-def test_progress_share_grows_from_zero(workers):
+def test_progress_of_shared_simulation_grows_from_zero(workers):
     told, helped = [], until(lambda: not workers or len(workers[0].regions) > 1)
 
     def going_on(share):
@@ -210,7 +210,7 @@ def test_progress_share_grows_from_zero(workers):
     path, solids = case()
     simulate(path, **solids, processes=2, going_on=going_on)
     assert told[0] == 0 and told == sorted(told) and told[-1] < 1
-    # Finished regions of all processes count even before the first band is finished.
+    # The progress includes finished regions of all processes, even before the first band of the image is finished.
     assert 0 < min(filter(None, told)) < 64 / 200 and len(set(told)) > 2
 
 
@@ -236,15 +236,15 @@ def test_remaining_bands_are_divided_among_the_processes():
     assert shared.share == 0.5 and shared.has(image.bands[1])
     fewest = sharing._Shared(image.bands[:1])
     fewest.divide(50)
-    assert fewest.left == 11 and fewest.take().right == 64  # a region has at least one tile
+    assert fewest.left == 11 and fewest.take().right == 64  # A region has at least one tile.
 
 
-def test_wait_ends_with_band_or_pending_region(monkeypatch):
+def test_wait_ends_if_the_band_is_done_or_a_region_is_free(monkeypatch):
     over = []
     monkeypatch.setattr(threading.Condition, "wait_for", lambda _, done, seconds: over.append(bool(done())))
     first, second = bands = CutImage(Cuts([Cut(case()[0], TOOLS[0])]), BOX, View((0, 0, -1), 64, 128).frame(BOX)).bands
     shared = sharing._Shared(bands)
-    shared.wait(second, 1.0)  # no process works on a region yet
+    shared.wait(second, 1.0)  # No process works on a region yet.
     assert (shared.take(), shared.take()) == (first, second)
     shared.wait(second, 1.0)
     shared.give(first, (None, 0))
@@ -269,7 +269,7 @@ def test_joined_bands_equal_the_whole_image():
     assert joined.trajectories == whole.trajectories and sum(n for _, n in parts) == pytest.approx(tested, rel=0.01)
 
 
-def test_work_is_shared_after_the_other_processes_have_started():
+def test_work_is_divided_after_the_other_processes_have_started():
     assert shared_seconds(0.4, 8) == 0.4 and shared_seconds(20.0, 1) == 20.0
     assert 10 < shared_seconds(20.0, 2) < 11
     assert shared_seconds(0.85, 5) == 0.85 and shared_seconds(30.85, 5) == pytest.approx(0.85 + 6)
@@ -279,7 +279,8 @@ def test_estimate_uses_at_most_one_process_per_band():
     path, solids = case(View((1, 1, -1), 300, 200), moves=300)
     alone = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3)).seconds
     assert alone > 5
-    for processes, used in ((2, 2), (3, 3), (64, 4)):  # the 200 rows are four bands, and the path reaches all four
+    # The 200 rows of pixels are four bands, and the path reaches all four bands.
+    for processes, used in ((2, 2), (3, 3), (64, 4)):
         told = estimate(path, None, **solids, speed=replace(Speed(), cell=1e-3, processes=processes))
         assert told.seconds == pytest.approx(shared_seconds(alone, used))
 

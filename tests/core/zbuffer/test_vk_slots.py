@@ -26,7 +26,7 @@ def rays(move, seed):
 
 def standing(x, y, z, t, move, sine, cosine):
     """Return where rays enter and leave the tool's cylinder above its end face, for each position of the tool."""
-    half = np.sqrt(RADIUS**2 - (x - t * move[0]) ** 2)  # NaN for rays beside the tool
+    half = np.sqrt(RADIUS**2 - (x - t * move[0]) ** 2)  # The result is NaN for rays beside the tool.
     near, far = (-half - (y - t * move[1])) / sine, (half - (y - t * move[1])) / sine
     foot = z - t * move[2] + 1e-7
     if abs(cosine) < 1e-9:
@@ -59,14 +59,14 @@ def check(slot, parts, move, tilt):
     met = entry < leave
     hit = far - near > 0
     assert hit[met & (leave - entry > 1e-3)].all()
-    assert met[hit & (far - near > 0.3)].all()  # a thinner edge may lie between two positions
+    assert met[hit & (far - near > 0.3)].all()  # A thinner part of the slot may lie between two positions.
     both = met & hit
     assert both.sum() > 10
     shares = [share for share in (sine, abs(cosine)) if share > 1e-9]
     between = np.linalg.norm(move) / (PLACES - 1) / min(shares)
     for short in (entry[both] - near[both], far[both] - leave[both]):
         assert short.min() > -1e-6
-        assert short.max() < 0.3  # at some positions, only the rim of the tool touches the ray
+        assert short.max() < 0.3  # At some positions, only the edge of the tool's end face touches the ray.
         assert np.mean(short < between) > 0.9
 
 
@@ -119,7 +119,8 @@ def test_move_nearly_along_a_ray_is_cut_like_a_parallel_move(slot, fall, tilt):
 def test_slot_is_continuous_where_ray_touches_the_rim(radius, aside):
     """At one position of the tool, the ray only touches the tool. Rounding may move the ray past the tool."""
     there, back = np.array([1.0, 0.0, 2.0])[:, None], np.array([-1.0, 0.0, -2.0])[:, None]
-    share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])  # share of the move at which the ray touches the rim
+    # At this share of the move, the ray touches the edge of the end face.
+    share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])
     x, y = np.full(3, aside), np.zeros(3)
     for sine, cosine in ((0.6, 0.8), (0.6, -0.8)):
         # At this share, the ray touches the side of the tool at the height of its end face.

@@ -37,7 +37,7 @@ CASES = [
     (moves(1, level=True), Tool("endmill", 6), BLOCK, DOWN),
     (moves(2), Tool("ballend", 6), BLOCK, DOWN),
     (moves(3), Tool("endmill", 6), BLOCK, UP),
-    (moves(4), Tool("ballend", 6), BLOCK, (1, 1, -1)),  # a ray may have several dexels
+    (moves(4), Tool("ballend", 6), BLOCK, (1, 1, -1)),  # A ray may have several dexels.
     (moves(5), Tool("endmill", 6), Cylinder((20, 15, 0), 12, 10), (0, 1, 0)),
 ]
 
@@ -91,7 +91,10 @@ def test_next_job_begins_with_the_remaining_part():
 
 
 def test_equal_heights_make_no_slivers():
-    """Rounding to single precision does not make steps. A bore in the turned part has the same floor as the stock."""
+    """Rounding to single precision does not make steps.
+
+    A bore in the part that is turned over has the same floor as the stock.
+    """
     left = simulate(moves(1), tool=Tool("endmill", 6), stock=BLOCK, view=View(DOWN, 80, 60))
     stock = Mesh(part_triangles(left) * [1, -1, -1] + [0, 30.01, 10.003])
     triangles = part_triangles(simulate(moves(2), tool=Tool("endmill", 6), stock=stock, view=View(DOWN, 80, 60)))
@@ -102,6 +105,6 @@ def test_equal_heights_make_no_slivers():
 def test_part_that_is_turned_over_keeps_its_volume():
     left = simulate(moves(1), tool=Tool("endmill", 6), stock=BLOCK, view=View(DOWN, 80, 60))
     turned = Mesh(part_triangles(left) * [1, -1, -1] + [0, 30, 10])
-    for size in ((80, 60), (77, 51)):  # the second view has rays close to walls
+    for size in ((80, 60), (77, 51)):  # The second view has rays close to walls.
         uncut = simulate(moves(1), tool=Tool("endmill", 6), stock=turned, view=View(DOWN, *size)).at(0)
         assert uncut.part_volume == pytest.approx(left.part_volume, rel=0.01)

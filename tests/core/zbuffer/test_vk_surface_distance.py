@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The distance between two surfaces of an image, compared with the distance of every pair of pixels."""
+"""The largest distance between two surfaces of an image, compared with the distances of all pairs of pixels."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_farthest_pixel_of_random_surfaces_is_found(surface, seed):
     at, distance = farthest(front, behind, pixels, pixel, 0.0)
     assert distance == pytest.approx(wanted[at], rel=1e-5)
     assert distance == pytest.approx(wanted[pixels].max(), rel=0.02, abs=pixel)
-    # For a selection of pixels, the result is the farthest selected pixel.
+    # If only some pixels are selected, the result is the selected pixel that is farthest from the other surface.
     some = pixels[wanted[pixels] < 0.7 * distance]
     if len(some):
         assert farthest(front, behind, some, pixel, 0.0)[1] == pytest.approx(wanted[some].max(), rel=0.02, abs=pixel)
@@ -77,8 +77,11 @@ def test_distant_surface_is_found_with_few_distances(size, monkeypatch):
     assert sum(looked) < 0.2 * len(pixels)
 
 
-def test_found_distance_is_that_of_the_found_place():
-    """Next to very high steps, distances are multiples of the pixel. Rounding must not make equal distances differ."""
+def test_returned_distance_belongs_to_the_returned_pixel():
+    """Next to high steps, distances are multiples of the pixel size.
+
+    Rounding must not make equal distances differ.
+    """
     for seed in range(40):
         rng = np.random.default_rng(seed)
         size, pixel = rng.integers(8, 16, 2), 0.05
@@ -93,7 +96,8 @@ def test_missing_front_surface_counts_as_space_before_it():
     front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 20, np.float32)
     front[:, 25:] = np.inf
     pixel = 12 * 40 + 22
-    assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 20)  # no part of the lower surface is nearer
+    # No part of the lower surface is nearer.
+    assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 20)
     behind[:, 26:] = 0
     assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 2)
 
@@ -105,7 +109,7 @@ def test_distance_to_farthest_image_corner_is_found():
     assert farthest(front, behind, np.array([0]), 1.0, 0.1) == (0, pytest.approx(np.hypot(29, 39)))
 
 
-def test_farthest_of_small_distances_is_found():
+def test_farthest_pixel_is_found_if_all_distances_are_small():
     """A wall 9 mm high is displaced by one pixel (0.05 mm), and a hole is 0.3 mm deep."""
     front, behind = (np.where(np.arange(40) < edge, 0, 9) * np.ones((30, 1)) for edge in (31, 30))
     behind[10, 5] = 0.3
@@ -114,14 +118,14 @@ def test_farthest_of_small_distances_is_found():
     assert farthest(front, behind, pixels, 0.05, 0.01) == (10 * 40 + 5, pytest.approx(0.3))
 
 
-def test_no_pixels_or_small_distances_have_no_farthest():
+def test_distances_below_the_limit_have_no_farthest_pixel():
     flat = np.zeros((3, 4), np.float32)
     assert farthest(flat, flat + 1, np.array([], int), 0.1, 0.1) is None
     assert farthest(flat, flat + 1, np.arange(12), 0.1, 1.0) is None
 
 
-def test_search_begins_on_doubling_circles():
-    """The circles only save work and do not change a distance, so their positions are tested here."""
+def test_search_for_near_surfaces_begins_on_doubling_circles():
+    """Circles save time but do not change the found distance, so this test checks the positions on the circles."""
     steps = np.concatenate(_circles(100, 8, 2.0))
     assert np.abs(np.hypot(*steps.T) - np.repeat([1, 2, 4, 8, 16, 32, 64], 8)).max() < 0.75
     far = steps[-8:]

@@ -40,7 +40,7 @@ def test_sweep_is_continuous_where_ray_touches_cone_rim():
     """The ray only touches the tool at the rim. Rounding may move the ray past the tool."""
     tool = Tool("drill", 8, tip_angle=2 * atan(2))
     start, move = (np.repeat([[x], [y], [z]], RAYS, axis=1) for x, y, z in ((2.0, 12.0, 10.0), (-12.0, -16.0, -12.0)))
-    along = np.linspace(-3, 3, RAYS)  # several points of the same ray
+    along = np.linspace(-3, 3, RAYS)  # These are several points of one ray.
     point = np.array([np.full(RAYS, 1.5), 5.75191847 + 0.6 * along, 7.83077538 - 0.8 * along])
     exact, beside = (intervals(tool, start, move, (point[0] + by, *point[1:]), 0.6, 0.8) for by in (0, 1e-7))
     assert np.abs(np.subtract(exact, beside)).max() < 1e-2
@@ -64,7 +64,7 @@ def test_lowest_height_of_a_sweep_equals_many_positions(tool):
     place = np.linspace(0, 1, 2000)[:, None]
     away = np.hypot(*(at - begin - place * by for at, begin, by in zip((x, y), start, move)))
     expected = (tool.height(away) + start[2] + place * move[2]).min(axis=0)
-    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # the point is far enough from the rim
+    clear = np.abs(away.min(axis=0) - tool.radius) > 1e-3  # The point is far enough from the edge of the sweep.
     assert np.array_equal(np.isfinite(found)[clear], np.isfinite(expected)[clear]) and clear.sum() > 0.7 * RAYS
     hit = clear & np.isfinite(expected)
     # Between two sampled positions, the tool is lower by at most the change between the positions.
@@ -101,8 +101,8 @@ BULL_NOSE = Tool("bullnose", 6, corner_radius=1)
 
 
 @pytest.mark.parametrize("tilt", [0.7, pi / 2, 2.5])
-def test_short_bull_nose_moves_are_decided_by_their_ends(tilt, monkeypatch):
-    """Searching between the ends takes several times longer."""
+def test_rays_through_short_bull_nose_moves_need_only_the_ends(tilt, monkeypatch):
+    """Most rays enter and leave the sweep at an end of the move, so the slow search between the ends is left out."""
     searched = []
 
     def counted(tool, offset, *others):

@@ -14,7 +14,7 @@ from vkworkbench.core.zbuffer import SeenModel, check_crashes, facts, simulate_j
 from vkworkbench.language import render
 
 PLATE = Stock((0, 0, 0), (600, 400, 20))
-MODEL = Stock((0, 0, 0), (600, 400, 18))  # 2 mm below the top of the plate
+MODEL = Stock((0, 0, 0), (600, 400, 18))  # The model ends 2 mm below the top of the plate.
 TOOL = Tool("endmill", 0.2)
 
 
@@ -78,7 +78,7 @@ def test_gouge_in_a_slope_is_measured_perpendicular_to_it():
     assert (first, last) == (0, 0) and depth == pytest.approx(1 / np.sqrt(2), rel=0.15)
 
 
-def test_wide_tools_and_moves_above_model_are_not_searched():
+def test_thin_gouges_exclude_wide_tools_and_cuts_at_model_height():
     deep, level = slot(50.1, 17.0), slot(50.1, 18.0)
     assert thin_gouges([cut(*deep, tool=Tool("endmill", 6))], PLATE, seen()).cuts == ()
     assert thin_gouges([cut(*level)], PLATE, seen()).cuts == (0,)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Depth bounds for oblique views: tools grown and shrunk by half a tile, depths of the stock, and opened depths."""
+"""Depth bounds of tiles in oblique views: tools grown and shrunk by half a tile, and depths of the stock on rays."""
 
 from __future__ import annotations
 
@@ -23,7 +23,10 @@ SHIFTS = [(a * REACH, b * REACH) for a in (-1, -0.5, 0, 1) for b in (-1, 0.3, 1)
 
 
 def moved(shift, angle, level):
-    """Return the shift in space for a shift of a ray in the image, in a level plane or in the plane of the image."""
+    """Return the shift of a ray in space, (x, y, z), for a shift in the image.
+
+    The shift in space is in a horizontal plane (`level`) or in the plane of the image.
+    """
     x, y = shift
     return np.array((x, y / cos(angle), 0) if level else (x, y * cos(angle), y * sin(angle)))
 
@@ -36,7 +39,7 @@ def surface(tool, raised):
 
 def holds(tool, raised, points):
     r = np.hypot(points[:, 0], points[:, 1])
-    inside = np.minimum(r, tool.radius)  # rounding decides about points exactly on the rim
+    inside = np.minimum(r, tool.radius)  # Rounding decides about points exactly on the tool's circumference.
     return (r <= tool.radius + 1e-9).all() and (tool.height(inside) + raised <= points[:, 2] + 1e-5).all()
 
 
@@ -57,7 +60,7 @@ def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
     left = tool.radius - aside - (0 if ball else tool.rounding)
     if left > 1e-3:
         assert smaller[0].radius == pytest.approx(left, abs=1e-5)
-        # Rounding decides whether a surface is touched, except for level floors seen from above.
+        # Rounding may decide whether the shrunk tool touches a surface, except for level floors seen from above.
         assert smaller[0].radius < left and (smaller[1] > 0 or (level and not tool.rounding))
     else:
         assert smaller == (None, 0.0)
@@ -90,8 +93,11 @@ def test_tile_depths_contain_stock_of_all_rays(direction, level):
 
 @pytest.mark.parametrize("side", [4, 16])
 @pytest.mark.parametrize("direction", [(0, 1, -1), (0, 1, -0.2)])
-def test_quarters_of_a_tile_near_the_sweep_of_a_ball_stay(direction, side):
-    """A ball of 12 mm moves from x = -10 to 10. The compared rays pass below its middle, beside the shank."""
+def test_quarters_of_a_tile_that_a_moving_ball_meets_are_kept(direction, side):
+    """A ball of 12 mm moves from x = -10 to 10.
+
+    The compared rays pass below the middle of the ball, away from the shank.
+    """
     stock = Stock((-100, -100, -100), (100, 100, 100))
     frame = View(direction, 200, 180, pixel=0.5).frame(stock)
     cuts = Cuts([Cut(toolpath(np.array([(-10.0, 0, 0), (10, 0, 0)])), Tool("ballend", 12))])
@@ -116,24 +122,25 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
     "pairs, stay",
     [
         ([(NEAR, NEAR), ((-4, -1), NOWHERE)], [0]),
-        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # only a part of the tile is open
+        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # Only a part of the tile is open.
         ([(NEAR, (-5, -2)), ((-4, -1), NOWHERE), ((-4, -2.5), NOWHERE)], [0, 1]),
         ([(FAR, FAR), ((3, 4), NOWHERE), ((1, 4), NOWHERE)], [0, 2]),
         ([(FAR, (9, 8)), ((3, 4), NOWHERE)], [0, 1]),
-        # only depths that are open from an end of the ray are kept
+        # Depths removed in the middle of the rays are not kept, only depths next to an end of the rays.
         ([(MIDDLE, MIDDLE), ((-0.5, 0.5), NOWHERE)], [0, 1]),
         ([(NEAR, NEAR), ((-1, 2), (-1, 2)), ((-1, 1.5), NOWHERE), ((1, 3), NOWHERE)], [0, 1, 3]),
         ([(FAR, FAR), ((-1, 3), (-1, 3)), ((0, 4), NOWHERE), ((-2, 3), NOWHERE)], [0, 1, 3]),
         ([(NEAR, NEAR), (FAR, FAR), ((-3, 1), NOWHERE), ((-3, 0), NOWHERE)], [0, 1, 2]),
-        ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),  # a difference within rounding is not deeper
+        # A depth that differs only by rounding is not deeper.
+        ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),
         ([(FAR, FAR), ((2, 4), NOWHERE), ((2 - 1e-9, 4), NOWHERE)], [0]),
         ([(WHOLE, WHOLE), (WHOLE, WHOLE)], [0]),
-        # an opened depth that touched no open end is not used later
+        # Depths removed in the middle of the rays are not kept, even if later depths connect them to an end.
         ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),
         ([], []),
     ],
 )
-def test_trajectory_stays_if_it_cuts_beyond_the_opened_depths(pairs, stay):
+def test_trajectory_is_kept_in_a_tile_if_it_cuts_unopened_depths(pairs, stay):
     def told(*tiles):
         tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
         columns = np.array([(*passed, *opened) for own in tiles for passed, opened in own], float).reshape(-1, 4).T
@@ -141,7 +148,7 @@ def test_trajectory_stays_if_it_cuts_beyond_the_opened_depths(pairs, stay):
         return _not_yet_open(tile, *columns, *ends).tolist()
 
     assert told(pairs) == stay
-    # Depths opened in one tile do not count in the next tile.
+    # Depths that are removed in one tile still have material in the next tile.
     assert told([(WHOLE, WHOLE)], [(NEAR, NOWHERE), (FAR, NOWHERE), (NEAR, NOWHERE)]) == [0, 1, 2, 3]
     again = [len(pairs) + k for k in stay]
     assert told(pairs, pairs) == stay + again

@@ -17,7 +17,7 @@ from vkworkbench.core.zbuffer.sweeps import trajectories
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 from vkworkbench.core.zbuffer.sweeps.trajectories import Kind, Trajectories
 
-FLAT, BALL = Tool("endmill", 6), Tool("ballend", 4)  # the block has 40 x 30 x 10 mm
+FLAT, BALL = Tool("endmill", 6), Tool("ballend", 4)  # The block has 40 x 30 x 10 mm.
 ABOVE, BELOW = (0, 0, -1), (0, 0, 1)
 
 
@@ -34,7 +34,7 @@ def ready(*cuts, direction=ABOVE):
         ([(20, -5, 5), (20, -2.9, 5)], True), ([(20, -3.1, 5), (20, -5, 5)], False),
         ([(20, 32.9, 5), (20, 40, 5)], True), ([(20, 33.1, 5), (20, 40, 5)], False),
         ([(20, 15, 20), (25, 15, 9.9)], True), ([(20, 15, 20), (25, 15, 10.1)], False),
-        ([(20, 15, -20), (25, 15, -10)], True),  # the tool has no upper end
+        ([(20, 15, -20), (25, 15, -10)], True),  # The tool has no upper end.
     ],
 )  # fmt: skip
 def test_moves_beside_or_above_stock_are_left_out(move, meets):
@@ -43,7 +43,7 @@ def test_moves_beside_or_above_stock_are_left_out(move, meets):
 
 
 def test_moves_have_their_tools_and_kinds():
-    """A vertical move is held at its lowest point, whichever end that is."""
+    """A vertical move, up or down, is stored as a move of zero length at its lower end."""
     some = ready(
         (BALL, [(5, 5, 5), (15, 5, 5), (15, 5, 3), (15, 5, 8), (5, 5, 6)]), (FLAT, [(5, 20, 7), (9, 23, 7)]),
         (BALL, [(30, 20, 2), (30, 20, 1)]),
@@ -99,7 +99,7 @@ def test_rounding_difference_in_height_is_a_level_move():
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("number", range(len(MOVES)))
-def test_boxes_and_strips_contain_swept_volumes(number, direction):
+def test_boxes_and_strips_in_the_image_contain_swept_volumes(number, direction):
     some = ready((FLAT, MOVES[number]), direction=direction)
     x, y = swept(MOVES[number], some.frame).T
     ((left, right, bottom, top), (nx, ny, low, high)) = some.box[:, 0], some.strip[:, 0]
@@ -112,17 +112,18 @@ def test_boxes_and_strips_contain_swept_volumes(number, direction):
         assert told == pytest.approx(there, abs=1e-3)
     else:
         assert told[[0, 3]] == pytest.approx(there[[0, 3]], abs=1e-3)
-        assert (told > there - 8).all()  # the error is less than the height of the move
+        assert (told > there - 8).all()  # The error is less than the height of the move.
 
 
 def test_box_of_a_part_of_a_move_contains_only_this_part():
     some = ready((FLAT, MOVES[0]))
     parts = some.boxes(np.array([0, 0]), np.array([0.0, 0.2]), np.array([1.0, 0.6]))
-    assert parts.T.tolist() == [some.box[:, 0].tolist(), [-13, 3, -10, 2]]  # the part from (-10, -7) to (0, -1)
+    # The part of the move is from (-10, -7) to (0, -1).
+    assert parts.T.tolist() == [some.box[:, 0].tolist(), [-13, 3, -10, 2]]
 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
-def test_rectangle_and_move_meet_if_box_and_strip_meet(direction):
+def test_moves_that_meet_a_rectangle_of_the_image_are_found(direction):
     rng = np.random.default_rng(4)
     some = ready(*((FLAT, move) for move in MOVES), direction=direction)
     left, bottom = rng.uniform(-30, 30, (2, 40))
@@ -167,7 +168,7 @@ def test_intervals_of_rays_from_above_and_below_are_exact():
         assert told(other) == [-2.5, None, None, -2.5]
 
 
-def test_intervals_of_rays_and_moves_are_the_same_in_batches(monkeypatch):
+def test_intervals_on_rays_do_not_depend_on_batch_size(monkeypatch):
     some = ready(*((tool, move) for tool in (FLAT, BALL) for move in MOVES), direction=(1, 1, -1))
     rng = np.random.default_rng(5)
     x, y, item = rng.uniform(-20, 20, (3, 500)), rng.uniform(-15, 15, 500), rng.integers(0, 14, 500)
@@ -179,7 +180,7 @@ def test_intervals_of_rays_and_moves_are_the_same_in_batches(monkeypatch):
 
 
 @pytest.mark.parametrize("direction", [ABOVE, (1, 1, -1)])
-def test_trajectories_prepared_in_batches_are_the_same(direction, monkeypatch):
+def test_prepared_trajectories_do_not_depend_on_batch_size(direction, monkeypatch):
     """Some cuts have no trajectories, and all trajectories of some cuts miss the stock."""
     rng = np.random.default_rng(6)
     away, nothing = np.array([(100.0, 100, 5), (101, 100, 5)]), np.empty((0, 3))

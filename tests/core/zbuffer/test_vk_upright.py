@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Depth bounds of moves in squares seen from above, compared with the tool at many positions.
+"""Bounds of the depths that a move cuts in a square seen from above, compared with many positions of the tool.
 
-A bound that is too deep costs time, and a bound that is too shallow loses a cut. The tests find both faults.
+A bound that is too deep costs time, and a bound that is too shallow loses a cut. The tests find bounds of both kinds.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 SLOPES = [0.0, 0.3, -0.3, 1.2, -1.2]
 DEPTH = 2.0
-PLACES, STEP = 1001, 5  # positions of the tool on a move, and points on a side of a square
+PLACES, STEP = 1001, 5  # Number of positions of the tool on a move, and number of points on a side of a square.
 
 
 def bounded(tool, slope, along, aside, extent, half_run):
-    """Return the bounds for one move and one square: largest reached depth, and depth opened in the whole square.
+    """Return the largest depth that a move can cut in a square, and the depth to which it cuts the whole square.
 
-    The bound is -inf, or NaN for a ball, if the move does not meet or does not cover the square.
+    The first depth is -inf if the move does not meet the square, the second if the move does not cover the square.
     """
     slopes = Slopes(np.array([slope])) if slope else None
     reaches, opens = bounds(
@@ -34,7 +34,10 @@ def bounded(tool, slope, along, aside, extent, half_run):
 
 
 def opened(tool, slope, along, aside, extent, half_run):
-    """Return the depths cut by the tool at points of a square, (k,). The depth is -inf outside the tool's sweep."""
+    """Return the depths that the tool cuts at points of a square, (k,).
+
+    The depth is -inf at points outside the sweep of the tool.
+    """
     side = np.linspace(-extent, extent, STEP)
     x, y = (values.ravel() for values in np.meshgrid(along + side, aside + side))
     t = np.linspace(-half_run, half_run, PLACES)[:, None]
@@ -44,7 +47,7 @@ def opened(tool, slope, along, aside, extent, half_run):
 @pytest.mark.long
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_square_bounds_hold_for_all_points(tool, slope):
+def test_depth_bounds_of_a_square_hold_for_all_its_points(tool, slope):
     """Squares lie beside moves, across the ends and the edges of sweeps, inside long moves, and around short moves."""
     rng = np.random.default_rng([FORMS.index(tool), SLOPES.index(slope)])
     inside = 0
@@ -54,13 +57,13 @@ def test_square_bounds_hold_for_all_points(tool, slope):
         reaches, opens = bounded(tool, slope, along, aside, extent, half_run)
         depths = opened(tool, slope, along, aside, extent, half_run)
         assert depths.max() <= reaches + 1e-9
-        # Between two positions on a slope, the tool may open a little deeper.
+        # On a slope, the tool may cut a little deeper between two of the compared positions.
         assert opens <= depths.min() + 0.02 * (1 + 3 * abs(slope))
         inside += np.isfinite(opens)
     assert inside > 3
 
 
-# On slopes, the bounds are exact only for simple tools: others have several parts, or a tip blunter than the slope.
+# On slopes, the bounds are exact only for these tools. Other tools have several parts, or a tip blunter than the slope.
 SIMPLE = [
     (tool, slope)
     for tool in FORMS
@@ -105,10 +108,10 @@ def test_opened_depth_beside_the_axis_of_a_move_is_exact(tool, slope):
 @pytest.mark.parametrize(
     "along, aside, near, far",
     [
-        (0.0, 0.0, 0.0, 0.5),  # the square is around the move
-        (2.0, 1.0, 0.5, 1.5),  # the square is beside the move
-        (6.5, 0.0, 1.0, 4.25**0.5),  # the square is 2 mm past the end of the move, on the move's line
-        (-6.5, 1.5, 2**0.5, 8**0.5),  # the square is past the end of the move, and 1.5 mm beside the move's line
+        (0.0, 0.0, 0.0, 0.5),  # The square is around the middle of the move.
+        (2.0, 1.0, 0.5, 1.5),  # The square is beside the move.
+        (6.5, 0.0, 1.0, 4.25**0.5),  # The square is 2 mm past the end of the move, on the move's line.
+        (-6.5, 1.5, 2**0.5, 8**0.5),  # The square is past the end of the move, and 1.5 mm beside the move's line.
     ],
 )
 def test_level_bounds_are_those_of_nearest_and_farthest_point(tool, along, aside, near, far):
@@ -132,8 +135,8 @@ def test_square_outside_tool_is_not_reached_nor_opened(slope):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("ends", [((12, 17), (25, 17)), ((25, 17), (12, 17)), ((14, 9), (14, 21)), ((14, 21), (14, 9))])
 @pytest.mark.parametrize("side", [4, 8, 32])
-def test_quarters_that_a_level_move_meets_stay(side, ends, direction):
-    """A quarter stays if one of its pixel centres is closer than 3 mm to the move of a flat end of 6 mm."""
+def test_quarters_of_a_tile_that_a_level_move_meets_are_kept(side, ends, direction):
+    """A quarter of a tile is kept if one of its pixel centres is closer than 3 mm to the move of a flat end of 6 mm."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     cuts = Cuts([Cut(toolpath(np.array([(*end, 4.0) for end in ends])), Tool("endmill", 6))])
     row, column = (of.ravel() for of in np.mgrid[0:120:side, 0:160:side])
@@ -153,7 +156,7 @@ def test_quarters_that_a_level_move_meets_stay(side, ends, direction):
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("height, deeper, stay", [(9.9, 9.9, [0]), (-0.1, -2.0, [0]), (0.1, -2.0, [0, 1])])
-def test_quarter_of_a_tile_that_is_opened_is_not_met_again(height, deeper, stay, direction):
+def test_move_that_is_not_deeper_is_dropped_in_an_opened_quarter(height, deeper, stay, direction):
     """A tool wider than the block of 10 mm moves back and forth at two heights. The move down is beside the block."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     points = [(-60, 15, height), (100, 15, height), (100, 15, deeper), (-60, 15, deeper)]
@@ -164,7 +167,7 @@ def test_quarter_of_a_tile_that_is_opened_is_not_met_again(height, deeper, stay,
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
-def test_ramp_above_the_block_meets_no_quarter(direction):
+def test_ramp_meets_no_quarter_of_a_tile_while_above_the_block(direction):
     """A ramp falls by 1 in 4 from 14 mm. The lowest tool height is about 12 mm at x = 5, and 5 mm at x = 33."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     cuts = Cuts([Cut(toolpath(np.array([(0.0, 15.0, 14.0), (40.0, 15.0, 4.0)])), Tool("endmill", 6))])
@@ -173,8 +176,8 @@ def test_ramp_above_the_block_meets_no_quarter(direction):
         assert found.tolist() == [1]
 
 
-def test_only_rays_at_the_rim_of_a_sweep_are_tested_again(monkeypatch):
-    """The rim lies on the pixel centres of a row of 160 pixels.
+def test_only_rays_at_the_edge_of_a_sweep_are_tested_again(monkeypatch):
+    """The edge of the sweep lies on the pixel centres of a row of 160 pixels.
 
     Testing all 24 rows of the slot would take far longer.
     """

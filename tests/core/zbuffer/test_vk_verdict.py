@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The verdict names the faults, the resolution of the check, and the missing checks."""
+"""The verdict on the safety of a job names its faults, the resolution of the check, and the missing checks."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def text(verdict):
     return render(verdict.message(LABELS))
 
 
-def test_sound_unchecked_and_missed_stocks_have_own_verdicts():
+def test_job_is_sound_only_if_it_was_checked_and_cuts_the_stock():
     texts = [text(one) for one in (SOUND, PENDING, replace(SOUND, met=False))]
     assert texts == [
         "No collision, gouge or fast plunge, checked to 0.12 mm. Shank, holder and clamps were not checked.",
@@ -55,7 +55,7 @@ def test_sound_unchecked_and_missed_stocks_have_own_verdicts():
         ({"fast_plunges": 2}, "2 plunges are too fast."),
     ],
 )
-def test_verdict_begins_with_the_faults(fault, sentence):
+def test_verdict_on_a_job_begins_with_the_faults(fault, sentence):
     verdict = replace(SOUND, **fault)
     assert text(verdict) == f"{sentence} Checked to 0.12 mm. Shank, holder and clamps were not checked."
     assert not verdict.is_sound
@@ -71,7 +71,7 @@ def test_collisions_of_shanks_are_faults():
     assert not checked.is_sound and replace(checked, collisions=replace(checked.collisions, found=())).is_sound
 
 
-def test_verdict_is_not_sound_if_parts_are_unread():
+def test_verdict_on_a_job_with_unread_parts_is_not_sound():
     first, second = Message("of", label="Pocket", sentence=Message("no-tool")), Message("stock-around-cuts")
     unsure = replace(SOUND, unread=(first,))
     assert not unsure.is_sound and text(unsure) == (

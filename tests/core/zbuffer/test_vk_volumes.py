@@ -69,7 +69,7 @@ def test_peak_rate_uses_only_the_part_of_a_move_in_material(aside):
     assert found.mean_rate == pytest.approx(60 * 6 * 50 / 40, rel=0.02)
 
 
-def test_error_is_at_least_one_ray():
+def test_error_of_a_volume_is_at_least_the_volume_of_one_ray():
     """Four images that agree by chance do not reduce the error to zero."""
     alone, parts = np.array([900.0]), np.array([0, 1])
     agreeing = Volumes(alone, np.array([1.0]), np.full((4, 1), 900.0), parts, alone, np.array([1.2]))
@@ -113,7 +113,7 @@ def test_measured_moves_of_thin_tools_are_not_air():
     assert facts(zbuffer, CrashCheck()).job.removed_volume_error is None and job.pixel == 10
 
 
-def test_volumes_without_time_are_none_and_without_moves_zero():
+def test_volumes_are_none_without_time_and_zero_without_moves():
     cut, _ = slots(3.0, 1.5, 0.0)
     assert measure_volumes([cut], SHEET, seconds=0) is None
     assert measure_volumes([Cut(path((0, 0, 9), (600, 400, 9)), Tool("endmill", 3))], SHEET).each.tolist() == [0]

@@ -72,7 +72,7 @@ def test_second_pass_over_the_same_place_cuts_nothing():
     assert set(z.trace_records["trajectory"]) == {0}
 
 
-def test_every_peck_cuts_the_hole_again():
+def test_each_peck_of_a_hole_removes_material():
     points = [(20, 15, 12), (20, 15, 8), (20, 15, 11), (20, 15, 5), (20, 15, 11), (20, 15, 2)]
     z = cut(points)
     assert area(z) == pytest.approx(3 * 9 * pi, rel=0.01)
@@ -81,7 +81,7 @@ def test_every_peck_cuts_the_hole_again():
 
 def test_a_through_hole_leaves_no_dexel_and_a_tunnel_two():
     assert cut([(20, 15, 20), (20, 15, -1)]).dexels == pytest.approx(400 * 300 - 9 * pi / 0.01, rel=1e-3)
-    # In a view from the side, rays through the hole have a dexel before it and a dexel behind it.
+    # In a view from the side, rays through the hole have one dexel in front of the hole and one dexel behind the hole.
     z = cut([(20, 15, 20), (20, 15, 4)], direction=(0, 1, 0))
     assert z.dexels * z.frame.pixel**2 == pytest.approx(40 * 10 + 6 * 6, rel=0.01)
 
@@ -99,7 +99,7 @@ def test_second_cut_through_the_stock_removes_nothing(direction):
 def test_thin_stock_is_cut_through_once(deepest, left, direction):
     """The wedge is 10 mm high at x = 0, and 2 mm at x = 40.
 
-    The first cut is through beyond 20, the second beyond `left`.
+    The first cut goes through the wedge where x > 20, and the second cut where x > `left`.
     """
     wedge = ConvexStock([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0.2, 0, -1)], [40, 0, 30, 0, 10, 0])
     points = [(20, 15, 20), (20, 15, 4), (20, 15, 20), (20, 15, deepest)]
@@ -166,7 +166,7 @@ def test_volume_of_a_move_does_not_depend_on_the_view(tool, move):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_chips_and_part_together_are_the_stock(view):
+def test_volumes_of_chips_and_part_add_up_to_the_stock(view):
     z = cut(winding(40), Tool("ballend", 4), direction=VIEWS[view], width=120, height=90)
     whole = z.at(0).part_volume
     assert whole == pytest.approx(12000, rel=0.02)
@@ -192,14 +192,14 @@ def winding(n):
     return np.column_stack((rng.uniform(0, 40, n + 1), rng.uniform(0, 30, n + 1), rng.uniform(3, 12, n + 1)))
 
 
-def test_steps_outside_the_simulation_are_refused():
+def test_moments_outside_the_simulation_are_refused():
     z = cut([(10, 15, 4), (30, 15, 4)], width=40, height=30)
     for step in (-1, 2):
         with pytest.raises(ValueError, match=f"step must be a whole number, 0 to 1, not {step}"):
             z.at(step)
     with pytest.raises(
         TypeError, match=r"step must be a whole number, 0 to 1, not 0\.5"
-    ):  # no moment exists between two steps
+    ):  # The number of trajectories already cut is a whole number.
         z.at(0.5)
 
 
@@ -208,7 +208,7 @@ def test_rapids_cut_the_stock():
     assert z.traces > 0
 
 
-def test_records_are_sorted_and_fill_their_rays():
+def test_dexels_and_traces_are_sorted_and_fill_their_rays():
     z = cut(winding(30), direction=VIEWS["isometric"], width=60, height=45)
     assert (DEXEL.itemsize, TRACE.itemsize, INDEX.itemsize) == (12, 12, 4)
     assert (np.diff(z.dexel_records["pixel"].astype(int)) >= 0).all()
@@ -247,7 +247,8 @@ def test_depth_above_sloped_bull_nose_path_is_exact(rise):
     """The rounded corner cuts the middle ray deepest while the tool's axis is more than 2 mm away."""
     z = cut([(-5, 15, 4 - rise), (45, 15, 4 + rise)], TOOLS[2], width=401, height=301)
     slope = abs(rise) / 25
-    expected = 4 - 2 * slope + 1 - hypot(1, slope)  # the flat has a radius of 2 mm, and the corner of 1 mm
+    # The flat end face has a radius of 2 mm, and the rounded corner has a radius of 1 mm.
+    expected = 4 - 2 * slope + 1 - hypot(1, slope)
     assert z.frame.origins(*z.frame.pixel_centres(np.array([200]), np.array([150])))[0].tolist() == [20, 15, 5]
     assert 5 - z.picture.depth.reshape(301, 401)[149:152, 200] == pytest.approx(expected, abs=1e-2)
 

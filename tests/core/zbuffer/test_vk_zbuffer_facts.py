@@ -86,7 +86,7 @@ def test_a_rapid_through_the_stock_is_found(direction):
         assert found[0].depth == pytest.approx(3)
 
 
-def test_simulation_facts_in_blocks_equal_facts_of_the_whole(monkeypatch):
+def test_facts_of_the_simulation_do_not_depend_on_batch_size(monkeypatch):
     path = toolpath(helix(None, 300))
     path = replace(path, rapid=np.arange(len(path)) % 7 == 0)
 
@@ -107,18 +107,21 @@ def test_simulation_facts_in_blocks_equal_facts_of_the_whole(monkeypatch):
 @pytest.mark.parametrize(
     "lengths, rapid, removed, air",
     [
-        # A move belongs to the stretch of 2 mm that contains its middle. The middles are 0.5, 1.25, 1.75 | 2.5, 3.5.
+        # A move belongs to the stretch of 2 mm that contains its middle. The middles are at 0.5, 1.25 and 1.75 mm in
+        # the first stretch, and at 2.5 and 3.5 mm in the second.
         ([1, 0.5, 0.5, 1, 1], [], [0], [3, 4]),
         ([1, 0.5, 0.5, 1, 1], [], [2], [3, 4]),
         ([1, 0.5, 0.5, 1, 1], [], [4], [0, 1, 2]),
-        ([0.5, 2.8, 0.2], [], [0], [2]),  # the middles are 0.25, 1.9 | 3.4
-        ([1, 1, 1], [0], [1], []),  # a rapid has no length
-        ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # a rapid separates stretches
-        ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),  # a rapid's volume does not count for its neighbours
+        # The middles of the moves are at 0.25 and 1.9 mm in the first stretch, and at 3.4 mm in the second.
+        ([0.5, 2.8, 0.2], [], [0], [2]),
+        ([1, 1, 1], [0], [1], []),  # A rapid adds no length to a stretch.
+        ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # A rapid begins a new stretch.
+        # The volume that a rapid removes does not count for its neighbours.
+        ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),
     ],
 )
 def test_short_moves_are_air_together_with_their_neighbours(lengths, rapid, removed, air):
-    """The pixels have 1 mm."""
+    """The pixels have a side of 1 mm."""
     points = np.zeros((len(lengths) + 1, 3))
     points[1:, 0] = np.cumsum(lengths)
     fast = np.isin(np.arange(len(lengths)), rapid)
@@ -126,7 +129,7 @@ def test_short_moves_are_air_together_with_their_neighbours(lengths, rapid, remo
     traced = SimpleNamespace(lengths=np.isin(np.arange(len(lengths)), removed) * 0.25)
     z = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)]), records=traced, frame=SimpleNamespace(pixel=1.0))
     assert np.flatnonzero(cuts_air(z)).tolist() == air
-    # Each cut begins a new stretch.
+    # Each operation begins a new stretch of moves.
     two = SimpleNamespace(cuts=Cuts([Cut(path, FLAT)] * 2), frame=z.frame,
                           records=SimpleNamespace(lengths=np.append(traced.lengths, 0 * traced.lengths)))  # fmt: skip
     told = np.flatnonzero(cuts_air(two))
@@ -149,7 +152,8 @@ def test_depth_and_width_of_cut_from_above_are_measured():
     taken = 3 * pi - 0.75 * sqrt(27)
     assert width[3] == pytest.approx(3 + (9 * pi / 2 - taken - 9 * pi / 4) / 20, rel=0.002)
     aside = engagement(cut(points, direction=(1, 0.1, -0.2)))
-    assert [values.tolist() for values in aside] == [[0] * 6] * 2  # views from the side give no depth or width
+    # Views from the side give no depth and no width of cut.
+    assert [values.tolist() for values in aside] == [[0] * 6] * 2
 
 
 def test_width_of_a_shallow_short_cut_is_limited_to_the_tool():
@@ -157,7 +161,8 @@ def test_width_of_a_shallow_short_cut_is_limited_to_the_tool():
     path = toolpath(np.array([(1, 0.5, 1.5), (1, 1, 1.5)], float))
     z = simulate(path, tool=Tool("endmill", 1), stock=Stock((0, 0, 0), (2, 2, 2)), view=View(width=200, height=200))
     ((depth,), (width,)) = engagement(z)
-    assert depth == pytest.approx(0.5) and width == 1  # the volume with the round ends would give more than 1 mm
+    # Computed from the volume, which includes the round ends, the width would be more than 1 mm.
+    assert depth == pytest.approx(0.5) and width == 1
 
 
 def test_trajectory_table_has_a_row_for_each_trajectory():
@@ -186,7 +191,7 @@ def test_place_of_a_crash_is_its_deepest_place():
 
 
 @pytest.mark.parametrize("tool", [FLAT, Tool("bullnose", 6, corner_radius=1)], ids=str)
-def test_rapid_into_round_slot_only_touches_its_chords(tool):
+def test_rapid_down_into_round_slot_may_cut_the_chord_error(tool):
     """Between two chord ends of the circle, the tool's side cuts up to 0.01 mm of the wall, which is not a crash."""
     circle = [
         ("G0", {"X": 10, "Y": 0, "Z": 5}),
@@ -214,7 +219,7 @@ GROOVING = {
 }
 
 
-# Each tool and each view is tested with both tolerances.
+# Each tool and each view is tested with both tolerances of the chords.
 @pytest.mark.long
 @pytest.mark.parametrize(
     "name, direction, tolerance",
@@ -235,7 +240,7 @@ def test_rapid_along_round_groove_is_not_a_crash(name, direction, tolerance):
         return path.part(0, 2 + chords)
 
     groove, stock = arc(10, -2, 0.0, 4), Stock((-15, -15, -5), (15, 15, 0))
-    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # the place is relative to the middle of the stock
+    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # The place is relative to the middle of the stock.
     axes = View(direction).frame(stock)
     view = View(direction, 200, 150, pixel=0.05, offset=(place @ axes.right, place @ axes.up))
 
@@ -249,7 +254,7 @@ def test_rapid_along_round_groove_is_not_a_crash(name, direction, tolerance):
     assert min(crashes_along(10 + aside, -2), crashes_along(10 - aside, -2), crashes_along(10, -2 - aside)) > 0
 
 
-# Each tool and each view is tested with both tolerances.
+# Each tool and each view is tested with both tolerances of the chords.
 @pytest.mark.long
 @pytest.mark.parametrize("plane, axis, centre", [("G18", "X", "I"), ("G19", "Y", "J")])
 @pytest.mark.parametrize(
@@ -262,7 +267,7 @@ def test_rapid_along_round_groove_is_not_a_crash(name, direction, tolerance):
     ],
     ids=str,
 )
-def test_rapid_down_into_a_trough_only_touches_it(tool, plane, axis, centre, direction, tolerance):
+def test_rapid_down_into_a_trough_may_cut_the_chord_error(tool, plane, axis, centre, direction, tolerance):
     """The rapid goes down to an arc in a vertical plane, at its lowest point or flank, between two chord ends."""
     arc = ("G2" if plane == "G18" else "G3", {axis: 9, "Z": 0, centre: 9, "K": 0})
     trough = [("G0", {axis: -9, "Z": 5}), ("G1", {"Z": 0, "F": 10}), (plane, {}), arc, ("G0", {"Z": 5})]
@@ -307,10 +312,11 @@ def plunges(points, feed=6.0, allowed=2.0, tool=FLAT, stock=STOCK, view=VIEW_OF_
 def test_plunges_above_the_vertical_feed_are_found():
     down = [(20, 15, 12), (20, 15, 8)]
     assert plunges(down) == plunges(down, feed=2.03) == plunges(down, feed=0.6, allowed=0.5) == [0]
-    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []  # within the rounding of feeds in FreeCAD
-    assert plunges(down, allowed=0) == []  # a vertical feed of 0 is unknown
-    assert plunges(down[::-1]) == []  # moves up are not plunges
-    # A move of 6 in 1 is a plunge, and a move of 4 in 1 a ramp.
+    # The feed exceeds the limit only by the rounding of feeds in FreeCAD.
+    assert plunges(down, feed=2.01) == plunges(down, feed=1.0) == []
+    assert plunges(down, allowed=0) == []  # A vertical feed of 0 means that the limit is unknown.
+    assert plunges(down[::-1]) == []  # Moves up are not plunges.
+    # A move with a slope of 6 in 1 is a plunge, and a move with a slope of 4 in 1 is a ramp.
     assert plunges([(20, 15, 12), (20.9, 15, 6.6)]) == [0] and plunges([(20, 15, 12), (21.5, 15, 6)]) == []
     # The first plunge has 61 % of the tool over the block, the second 39 %.
     assert plunges([(0.5, 15, 12), (0.5, 15, 7)]) == [0] and plunges([(-0.5, 15, 12), (-0.5, 15, 7)]) == []

@@ -60,7 +60,7 @@ def faults(found):
 def test_the_sound_job_has_no_fault():
     found = told(SOUND)
     assert faults(found.job) == set() and found.cuts == (found.job,)
-    assert found.job.air_length_share < 0.25  # the rows turn in the air beside the block
+    assert found.job.air_length_share < 0.25  # The turns from row to row are in the air beside the block.
     assert found.job.removed_volume == pytest.approx(42 * 32 * 2, rel=0.01)
 
 
@@ -129,7 +129,7 @@ def test_job_facts_combine_depth_width_and_tool_of_cuts():
     assert [one.width_of_cut for one in (*found.cuts, found.job)] == pytest.approx([5.04, 3.36, 4.2], rel=0.02)
     assert [one.tool_diameter for one in (*found.cuts, found.job)] == [6, 4, 6]
     assert [one.cutting_length for one in (*found.cuts, found.job)] == [50, 50, 100]
-    # the feed moves are 100 mm at 10 mm/s
+    # The feed moves are 100 mm long, at 10 mm/s.
     assert found.job.mean_rate == pytest.approx(60 * found.job.removed_volume / 10)
     assert (told().job.air_length_share, told().job.air_time_share) == (0, 0)
 
@@ -181,7 +181,7 @@ def test_leftover_is_found_with_its_depth_area_and_place():
 def test_plunge_that_is_too_fast_is_found():
     points = [(20, 15, 12), (20, 15, 9), (20, 15, 12), (20, 15, 9), (21, 15, 9)]
     fast = replace(path(points, rapid=[1]), feed=np.array([6.0, 0.0, 6.0, FEED]))
-    (one,) = told(fast, model=None).job.fast_plunges  # the second plunge is in the hole of the first
+    (one,) = told(fast, model=None).job.fast_plunges  # The second plunge is in the hole of the first plunge.
     assert (one.source.command, one.feed, one.allowed) == (0, 6.0, PLUNGE)
     assert one.place == (20, 15, 9)
     assert told(replace(fast, feed=np.array([PLUNGE, 0, 6.0, FEED])), model=None).job.fast_plunges == ()
@@ -266,7 +266,7 @@ def test_worst_places_are_separate_and_name_their_trajectory():
     assert worst_places(z, found, 9.0)[0] == []
 
 
-def test_seen_model_is_compared_with_any_moment():
+def test_deviations_from_the_model_are_found_at_any_moment():
     z = simulate_job([Cut(SOUND, FLAT)], stock=STOCK, view=VIEW)
     seen = SeenModel(MODEL, z.frame)
     assert np.nanmax(seen.against(z.at(0)).left) == pytest.approx(2) and seen.against(z).left.max() < 1e-5

@@ -2,9 +2,11 @@
 """The extended z-buffer is compared with a second implementation that shares only the tool's profile with it.
 
 A point belongs to the first trajectory whose tool reaches the point. The second implementation tries single points with
-every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so halving
-finds the lowest height. The points are probes on the rays: beside both ends of every piece, so that each border
-between the pieces of two trajectories is in its place, and between the ends.
+every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so
+halving
+finds the lowest height. The points are probes on the rays. Probes beside both ends of every piece of a ray check the
+depth at
+which the piece ends, and probes between the ends check the trajectory that removed the piece.
 """
 
 from __future__ import annotations
@@ -22,16 +24,16 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# Distance between the end of a piece and the probe beside this end, mm.
+# Distance between the end of a piece of a ray and the probe beside this end, mm.
 BESIDE = 5e-4
-# The tool is grown or shrunk by this before a probe is compared, mm, because depths are float32 and pieces up to
-# THINNEST are joined to their neighbours.
+# The tool is grown or shrunk by this length before a probe is compared, mm, because depths are float32 and pieces of
+# rays up to THINNEST are joined to their neighbours.
 CLEARANCE = 2e-4
-# Positions of the probes between the two ends of a piece, as shares of its length.
+# Positions of the probes between the two ends of a piece of a ray, as shares of the length of the piece.
 BETWEEN = (0.1, 0.3, 0.5, 0.7, 0.9)
-# Differences of depths up to this are rounding, mm.
+# Differences of depths up to this length are rounding errors, mm.
 NOISE = 1e-7
-# Number of halvings of a move in the search for the lowest height. The halvings leave a stretch of 1e-5 mm.
+# Number of halvings of a move in the search for the lowest height of the tool, down to a stretch of 1e-5 mm.
 HALVINGS = 24
 
 
@@ -57,14 +59,14 @@ def reached(tool, start, move, at, grown):
     foot = np.where(vertical, 0.0, (x * move[0] + y * move[1]) / safe_run2)
     rest2 = (tool.radius + grown) ** 2 - (x - foot * move[0]) ** 2 - (y - foot * move[1]) ** 2
     half = np.where(vertical, 1.0, np.sqrt(np.maximum(rest2, 0) / safe_run2))
-    # Between these shares of the move the point is within the tool's radius.
+    # The point is within the tool's radius from the share `first` to the share `last` of the move.
     first, last = np.maximum(foot - half, 0), np.minimum(foot + half, 1)
     found = (rest2 >= 0) & (first <= last)
     (these,) = np.nonzero(found)
     x, y, z, first, last, move = x[these], y[these], z[these], first[these], last[these], move[:, these]
 
     def surface_above(t):
-        """Return the height of the tool's surface above the point, if the tool is at this share of its move."""
+        """Return the height of the tool's surface above the point, if the tool is at the share `t` of its move."""
         r = np.hypot(x - t * move[0], y - t * move[1])
         return t * move[2] + tool.profile(np.maximum(r - grown, 0)) - grown - z
 
@@ -78,7 +80,7 @@ def reached(tool, start, move, at, grown):
 
 
 def wrong_probes(cuts, at, owner, uncut):
-    """Return which points (p, 3) do not belong to their owner (p,), a trajectory or `uncut`."""
+    """Return which points (p, 3) the trajectory `owner` (p,) does not remove; the owner `uncut` means no removal."""
     starts, ends = cuts.ends
     wrong = np.zeros(len(at), bool)
     for number, cut in enumerate(cuts.cuts):
@@ -92,10 +94,11 @@ def wrong_probes(cuts, at, owner, uncut):
             near = (point >= lower).all(axis=2) & (point[..., :2] <= upper).all(axis=2)
             probe, item = np.nonzero(near & (own < owner[some, None]))
             probe, item = some[probe], own[item]
-            # No trajectory before the owner (the trajectory that removed the piece) contains the probe.
+            # The swept volumes of trajectories before the owner (the trajectory that removed the piece) exclude the
+            # probe.
             earlier = reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, -CLEARANCE)
             wrong[probe[earlier]] = True
-        # The owner contains the probe.
+        # The swept volume of the owner contains the probe.
         probe = np.flatnonzero(np.isin(owner, own) & (owner < uncut))
         item = owner[probe]
         wrong[probe] |= ~reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, CLEARANCE)
@@ -103,7 +106,7 @@ def wrong_probes(cuts, at, owner, uncut):
 
 
 def check(z, stock, pixels=None):
-    """Check, for pixels of a moment (by default all), that the trajectories of pieces remove the pieces' points."""
+    """Check that the trajectory of each piece of a ray removes the points of the piece, for some pixels or all."""
     frame, dexels, cut = z.frame, z.dexel_records, z.trace_records["trajectory"] < z.step
     traces = z.trace_records[cut]
     trace_pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))[cut]
@@ -125,7 +128,7 @@ def check(z, stock, pixels=None):
 
 
 def check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels):
-    """Compare the pieces of rays with the stock: no part of a ray may be missing, or be there twice."""
+    """Compare the pieces of rays with the stock: no part of a ray may be missing or occur twice."""
     first = np.append(True, pixel[1:] != pixel[:-1]) if len(pixel) else np.zeros(0, bool)
     last = np.append(first[1:], True) if len(pixel) else first
     all_pixels = np.arange(frame.width * frame.height) if pixels is None else np.sort(pixels)
@@ -140,7 +143,7 @@ def check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels):
 
 
 def check_that_culling_drops_nothing(z, stock):
-    """Compare a z-buffer with the same rays if every trajectory whose box they pass is tested."""
+    """Compare a z-buffer with rays that are tested with all trajectories whose bounding boxes they pass."""
     frame, records = z.frame, z.records
     row, column = np.divmod(np.arange(frame.width * frame.height), frame.width)
     pieces, _ = Removal(z.cuts, stock, frame).cut(*frame.pixel_centres(column, row))
@@ -161,8 +164,8 @@ EVERY_TOOL = TOOLS + CHAMFERS
 @pytest.mark.long
 @pytest.mark.parametrize("path", PATHS, ids=lambda path: path.__name__)
 @pytest.mark.parametrize("tool", EVERY_TOOL, ids=str)
-def test_each_piece_belongs_to_the_trajectory_of_its_points(tool, path):
-    """The last moment and a random earlier moment are compared."""
+def test_each_ray_piece_belongs_to_the_move_that_removes_it(tool, path):
+    """The last moment of the simulation and a random earlier moment are compared."""
     which = PATHS.index(path), EVERY_TOOL.index(tool)
     rng = np.random.default_rng(which)
     # Every fourth direction is tested, so that each direction meets each path with a quarter of the tools.
@@ -180,14 +183,14 @@ def test_each_piece_belongs_to_the_trajectory_of_its_points(tool, path):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 0.5, -0.3)])
-def test_check_finds_wrong_borders_and_wrong_trajectories(direction):
-    """The borders are wrong by a thousandth of a mm, or the piece belongs to the move before or after."""
+def test_check_finds_shifted_ends_and_wrong_moves_of_ray_pieces(direction):
+    """Ends of pieces are shifted by 0.001 mm, or a piece is assigned to the move before or after the right move."""
     points = free(np.random.default_rng(2), 8)
     z = simulate(toolpath(points), tool=TOOLS[0], stock=BOX, view=View(direction, 30, 20))
     check(z, BOX)
     records = z.records
     pixel, cut = records.pixel(), records.cut
-    inner = np.append(pixel[1:] == pixel[:-1], False)  # pieces that are followed by another piece
+    inner = np.append(pixel[1:] == pixel[:-1], False)  # Pieces of rays that another piece follows.
     assert inner.sum() > 100
     for far, owner in (
         (records.far + np.float32(1e-3) * inner, records.owner),
@@ -218,7 +221,7 @@ def test_points_belong_to_the_right_moves_of_several_tools(direction, tools):
 
 
 @pytest.mark.long
-def test_points_of_a_pixel_with_many_passes_have_the_right_move():
+def test_points_belong_to_the_right_of_many_passes():
     """Thousands of passes cross each tile, and culling must drop most passes."""
     rng = np.random.default_rng(0)
     for points, tool, direction in (
@@ -233,7 +236,7 @@ def test_points_of_a_pixel_with_many_passes_have_the_right_move():
         check(z, BOX, some_pixels(rng, view, 20))
 
 
-def test_passes_that_cut_nothing_are_dropped_in_first_tiles():
+def test_passes_that_cut_nothing_are_dropped_for_large_tiles():
     points = zigzag(np.random.default_rng(1), 200)
     once, often = (
         simulate(toolpath(np.tile(points, (k, 1))), tool=TOOLS[0], stock=BOX, view=View(width=200, height=150))
@@ -243,7 +246,7 @@ def test_passes_that_cut_nothing_are_dropped_in_first_tiles():
     assert often.candidates < 12 * once.candidates
 
 
-def test_rays_with_one_gap_equal_the_general_case():
+def test_fast_cuts_of_rays_with_one_gap_equal_the_general_method():
     rng = np.random.default_rng(5)
     rays, each = 300, 6
     near, far = np.full(rays, -3.0), rng.uniform(2, 9, rays)

@@ -43,7 +43,7 @@ def test_moment_after_a_cut_equals_a_job_of_this_cut_alone(job):
 
 
 def test_later_cut_removes_only_remaining_material(job):
-    # The slots at 9 and 6 mm are cut already. The last cut only removes the material from 6 to 3 mm.
+    # The slots down to 9 and 6 mm are already cut. The last operation only removes the material from 6 to 3 mm.
     small, wide = 24 * 6 + 9 * pi, 24 * 14 + 49 * pi
     expected = [2 * small, 2 * 9 * pi, 2 * (small - 9 * pi), 3 * wide, 0, 0, 0, 3 * 9 * pi, 3 * (small - 9 * pi)]
     assert removed_volumes(job) == pytest.approx(expected, rel=0.02)

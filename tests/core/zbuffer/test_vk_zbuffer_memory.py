@@ -24,7 +24,8 @@ from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 
 ROOT = Path(__file__).resolve().parents[3]
-# Runs in a separate process, so that memory of earlier tests is neither released nor reused during the measurement.
+# The script runs in a separate process, so that memory of earlier tests is neither released nor reused during the
+# measurement.
 MEASURE = """
 import sys
 from pathlib import Path
@@ -89,7 +90,7 @@ def test_too_large_simulation_is_refused_before_it_starts():
     assert "1.0 MB" in str(error) and str(error).endswith("limit. Simulate fewer operations at a time.")
     assert error.size is None
     assert simulate(path, **solids, memory_budget=error.needed * 1.01).traces > 0
-    with pytest.raises(OverBudget):  # a budget of 0 is also a limit
+    with pytest.raises(OverBudget):  # A budget of 0 is also a limit.
         simulate(path, **solids, memory_budget=0)
 
 
@@ -105,7 +106,7 @@ def test_refusal_names_the_finest_image_that_fits(pixel):
     assert height == width * 3 // 4 and f"Choose an image of {width} x {height} pixels of " in str(refused.value)
     fits = view.of_size(width, height)
     found = simulate(path, **{**solids, "view": fits}, memory_budget=allowed).frame
-    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # the field of view is the same
+    assert found.pixel == pytest.approx(frame.pixel * 400 / width, rel=0.01)  # The field of view has not changed.
     assert refused.value.what.arguments["instead"].arguments["pixel"] == pytest.approx(found.pixel, rel=1e-3)
     assert found.width * found.pixel >= frame.width * frame.pixel * 0.999
     chosen = best_resolution([estimate(path, None, **{**solids, "view": view})], memory_bytes=allowed)
@@ -118,8 +119,8 @@ def removal(tool, direction, points=((10, 15, 5), (30, 15, 5)), *, others=(), of
     return Removal(cuts, BOX, view.frame(BOX))
 
 
-def test_peak_memory_grows_with_records_pixels_and_moves():
-    """Full arrays (of dexels, traces and gaps) grow by an eighth. Two standard errors are added to the traces."""
+def test_peak_memory_grows_with_dexels_traces_pixels_and_moves():
+    """Full arrays of dexels, traces and gaps are enlarged by an eighth. Two standard errors are added to the traces."""
     flat = removal(TOOLS[0], (0, 0, -1))
     nothing = Counts(*[0] * 9, 4800)
 
@@ -129,14 +130,14 @@ def test_peak_memory_grows_with_records_pixels_and_moves():
     assert (
         more(dexels=1000.0) == more(traces=1000.0) == more(gaps=1000.0) == 9000 and more(traces_error=1000.0) == 18000
     )
-    # each trajectory has at least a start point
+    # Each trajectory needs at least the memory of its start point.
     assert more(band=1000.0) > 0 and more(trajectories=1000) >= 1000 * 8 * 3
     large = Removal(Cuts([]), BOX, View((0, 0, -1), 160, 60).frame(BOX))
     assert peak_of(nothing, 0, large).bytes() - peak_of(nothing, 0, flat).bytes() == 8 * 80 * 60
 
 
 def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
-    """For the pictures, each trace needs 14 bytes in addition to its record of 8 bytes."""
+    """For the pictures, each trace element needs 14 bytes in addition to its own 8 bytes."""
     flat = removal(TOOLS[0], (0, 0, -1))
     some, many = (Counts(*[0] * 3, 1e8 * share, *[0] * 5, 4800) for share in (0.5, 1.0))
     assert many.traces == 1e8
@@ -145,7 +146,7 @@ def test_peak_memory_counts_pictures_after_processes_end(monkeypatch):
     assert helpers_within(peak_of(many, 0, flat).bytes(), flat, 0) > 0
 
 
-def test_each_process_adds_its_memory_and_its_records(monkeypatch):
+def test_each_process_adds_its_memory_and_its_dexels_and_traces(monkeypatch):
     flat, plenty = removal(TOOLS[0], (0, 0, -1)), 1e15
 
     def each(band, trajectories):
@@ -159,13 +160,15 @@ def test_each_process_adds_its_memory_and_its_records(monkeypatch):
         return taken
 
     alone = each(0, 0)
-    assert 20e6 < alone < 500e6  # Python with numpy, and the temporary arrays of a band
+    # A process needs memory for Python with numpy, and for the temporary arrays of a band of the image.
+    assert 20e6 < alone < 500e6
     record, trajectory = each(1_000_000, 0) - alone, each(0, 1_000_000) - alone
-    assert record > 8e6 and trajectory > 24e6  # a record has 8 bytes, and a trajectory a start point
+    # A dexel or trace element has 8 bytes, and a trajectory has a start point of 24 bytes.
+    assert record > 8e6 and trajectory > 24e6
     assert each(1_000_000, 1_000_000) == pytest.approx(alone + record + trajectory, rel=1e-5)
 
 
-def test_band_needs_least_memory_seen_from_above():
+def test_band_of_an_image_needs_least_memory_seen_from_above():
     nothing = Counts(*[0] * 9, 4800)
     flat, ball, bullnose, vee = TOOLS[0], TOOLS[2], TOOLS[3], TOOLS[5]
     above, closed, other = (
@@ -185,12 +188,12 @@ def test_small_simulation_needs_no_sampled_rays(direction, monkeypatch):
     monkeypatch.setattr(memory, "count", None)
     path, solids = case(20, direction, 80, 60)
     simulate(path, **solids)
-    with pytest.raises(TypeError):  # rays are sampled only if the memory may not suffice
+    with pytest.raises(TypeError):  # Rays are sampled only if the memory may not suffice.
         simulate(path, **solids, memory_budget=1e6)
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (1, 1, -1), (0, 1, 0)])
-def test_number_of_records_is_bounded_by_boxes_of_moves(direction):
+def test_boxes_of_moves_bound_the_number_of_dexels_and_traces(direction):
     for points in (surface(None, 60), [(-20, -20, 3), (60, 50, 3)], [(10, 10, 5), (10, 10, 2)]):
         moves = toolpath(np.array(points, float))
         z = simulate(moves, tool=TOOLS[0], stock=BOX, view=View(direction, 80, 60))
@@ -198,10 +201,10 @@ def test_number_of_records_is_bounded_by_boxes_of_moves(direction):
         assert z.dexels + z.traces <= bound <= 80 * 60 * (1 + 2 * len(moves))
 
 
-def test_box_of_a_move_bounds_its_records():
+def test_bounding_box_of_a_move_limits_the_number_of_its_traces():
     """A move of 20 mm covers 26 x 6 mm in pixels of 0.5 mm, plus an edge, clipped to the image.
 
-    Obliquely, pixels count twice.
+    In an oblique view, each pixel counts twice.
     """
     assert memory._most_records(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
     assert (
@@ -212,9 +215,9 @@ def test_box_of_a_move_bounds_its_records():
         60 - 50 + 1
     )
     assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(20, 2, 5), (30, 2, 5)])) == 80 * 60 + 33 * (10 + 1)
-    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # the image does not show the move
+    for aside in ((30, 0), (0, 30), (-60, 0), (0, -60)):  # The image does not show the move.
         assert memory._most_records(removal(TOOLS[0], (0, 0, -1), [(5, 5, 5), (20, 5, 5)], offset=aside)) == 80 * 60
-    # the box is 26 mm wide and 5 mm high
+    # The bounding box of the sweep is 26 mm wide and 5 mm high.
     assert memory._most_records(removal(TOOLS[0], (0, 1, 0))) == 80 * 60 + 2 * 53 * 11
 
 

@@ -53,10 +53,11 @@ def test_the_picture_is_the_first_dexel_of_every_ray(seed):
 
 
 def expected(z):
-    """Return the depth of the first dexel on every ray, and the owner of the trace that ends there."""
+    """Return, for every ray, the depth of the first dexel and the trajectory whose trace ends at this depth."""
     pixels = len(z.records.entry)
     depth, owner = np.full(pixels, np.nan, np.float32), np.full(pixels, STOCK)
-    # If a pixel occurs several times, the last value stays. The dexels are assigned in reverse, so the first dexel stays.
+    # numpy keeps the last value assigned to a pixel. Dexels are assigned in reverse, so each pixel keeps its first
+    # dexel.
     depth[z.dexel_records["pixel"][::-1]] = z.dexel_records["near"][::-1]
     pixel = np.repeat(np.arange(pixels), np.diff(z.trace_index.astype(int)))
     before = z.trace_records["far"] == depth[pixel]
@@ -95,7 +96,7 @@ def test_picture_without_cuts_shows_stock_and_background():
     assert (z.picture.owner == STOCK).all()
 
 
-def test_moments_of_more_than_65536_trajectories_are_correct():
+def test_pictures_of_more_than_65536_trajectories_are_correct():
     """Slots follow 10,000 and 60,000 moves above the block. Each slot changes only its own pixels."""
     above, more = ([(x, 5.0, 20.0) for x in np.linspace(35, 5, count)] for count in (10_000, 60_000))
     points = [*above, (5.0, 5.0, 6.0), (35.0, 5.0, 6.0), *more, (5.0, 25.0, 4.0), (35.0, 25.0, 4.0)]
@@ -111,7 +112,10 @@ def test_moments_of_more_than_65536_trajectories_are_correct():
 
 
 def test_picture_updates_only_changed_pixels(monkeypatch):
-    """One step updates less than a quarter of the pieces. The step from the first to the last moment updates all."""
+    """A picture after one more move looks up less than a quarter of the pixels.
+
+    A picture at the end after a picture at the start looks up all pixels.
+    """
     looked_up, seen = [], Surface._seen
 
     def counted(self, step, pixels):
@@ -153,7 +157,7 @@ def test_changed_pixels_do_not_depend_on_batch_size(at_once, monkeypatch):
 
 @pytest.mark.parametrize("seed", [1, 6])
 def test_picture_does_not_depend_on_previous_picture(seed):
-    """The picture before is none, the moment before, or a moment far away."""
+    """There is no previous picture, or the previous picture shows the moment before, or a distant moment."""
     z, _ = simulated(seed)
     for step in range(0, z.trajectories + 1, 5):
         pictures = []

@@ -91,7 +91,8 @@ def inside(mesh, origins, direction):
         v = (turned @ direction) / volume
         depth = ((c - a) * turned).sum(axis=1) / volume
         crossed = np.sort(depth[(u >= 0) & (v >= 0) & (u + v <= 1)])
-        crossed = crossed[np.diff(crossed, prepend=-np.inf) > 1e-9]  # a ray through an edge meets two triangles
+        # A ray through an edge meets two triangles at one depth.
+        crossed = crossed[np.diff(crossed, prepend=-np.inf) > 1e-9]
         assert len(crossed) % 2 == 0
         found += [(ray, *pair) for pair in crossed.reshape(-1, 2) if pair[1] - pair[0] > 1e-4]
     ray, near, far = np.array(found).T
@@ -123,7 +124,7 @@ def test_no_ray_passes_between_two_triangles():
 
 @pytest.mark.long
 def test_mesh_triangles_are_sorted_once_per_image(monkeypatch):
-    """Sorting is expensive, so it happens once for the silhouette, once for the part and once for the model."""
+    """Sorting is expensive, so triangles are sorted once for the silhouette, once for the part and once for the model."""
     seen = []
 
     class Counted(stocks._SeenMesh):
@@ -182,7 +183,7 @@ def areas(mesh, view):
 def test_area_of_a_mesh_in_the_image_is_exact():
     """A block covers a rectangle, or three sides from a corner.
 
-    Two blocks, one behind the other, count twice, with a gap.
+    The areas of two blocks, one behind the other, are added, and rays have a gap between the blocks.
     """
     block = Mesh(box((0, 0, 0), (2, 3, 4)))
     for direction, area in (((0, 0, -1), 6), ((0, 1, 0), 8), ((1, 0, 0), 12), ((1, 1, -1), (6 + 8 + 12) / sqrt(3))):
@@ -220,7 +221,7 @@ def test_memory_of_a_mesh_with_gaps_is_estimated(direction, pieces):
 
 @pytest.mark.long
 def test_mesh_whose_gaps_need_too_much_memory_is_refused():
-    """Compared with a block without gaps, gaps need more memory than their records, and less than twice that memory."""
+    """Gaps need more memory than the gaps that are stored at the end, and less than twice as much."""
     solids = {"tool": TOOLS[0], "view": View((0, 1, 0), 150, 100)}
     moves, block = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), Stock(COMB.lower, COMB.upper)
     held, of_block = (
