@@ -626,10 +626,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{name} is ignored. The coordinates after it are read as if it were not there.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1415,6 +1411,14 @@
     </message>
     <message>
         <source>Shank, holder and clamps were not checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

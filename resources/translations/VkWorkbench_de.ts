@@ -926,10 +926,6 @@
         <translation>Von zwei {letter}-Wörtern in einer Zeile wird das letzte gelesen.</translation>
     </message>
     <message>
-        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
-        <translation>Von zwei Bewegungen in einer Zeile, etwa G0 und G1, wird die letzte gelesen.</translation>
-    </message>
-    <message>
         <source>{told} A small part is {strategies:strategy}.</source>
         <translation>{told} Ein kleiner Teil ist: {strategies:strategy}.</translation>
     </message>
@@ -1416,6 +1412,14 @@
     <message>
         <source>Shank, holder and clamps were not checked.</source>
         <translation>Schaft, Halter und Spannmittel wurden nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read.</source>
+        <translation>Von zwei Codes derselben Art in einer Zeile, etwa G0 und G1 oder G90 und G91, wird der letzte gelesen.</translation>
+    </message>
+    <message>
+        <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
+        <translation>Nach G80 wird eine Bewegung ohne G0 oder G1 als Eilgang gelesen. Manche Steuerungen fahren im Vorschub.</translation>
     </message>
 </context>
 <context>

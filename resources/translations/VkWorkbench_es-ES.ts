@@ -926,10 +926,6 @@
         <translation>De dos palabras {letter} en una línea se lee la última.</translation>
     </message>
     <message>
-        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
-        <translation>De dos movimientos en una línea, como G0 y G1, se lee el último.</translation>
-    </message>
-    <message>
         <source>{told} A small part is {strategies:strategy}.</source>
         <translation>{told} Una pequeña parte es: {strategies:strategy}.</translation>
     </message>
@@ -1416,6 +1412,14 @@
     <message>
         <source>Shank, holder and clamps were not checked.</source>
         <translation>No se han comprobado vástago, portaherramientas ni bridas.</translation>
+    </message>
+    <message>
+        <source>Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read.</source>
+        <translation>De dos códigos del mismo tipo en una línea, como G0 y G1 o G90 y G91, se lee el último.</translation>
+    </message>
+    <message>
+        <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
+        <translation>Después de G80, un movimiento sin G0 ni G1 se lee como un rápido. Algunos controles se mueven al avance.</translation>
     </message>
 </context>
 <context>

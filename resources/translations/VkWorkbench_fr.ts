@@ -926,10 +926,6 @@
         <translation>De deux mots {letter} sur une ligne, le dernier est lu.</translation>
     </message>
     <message>
-        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
-        <translation>De deux mouvements sur une ligne, comme G0 et G1, le dernier est lu.</translation>
-    </message>
-    <message>
         <source>{told} A small part is {strategies:strategy}.</source>
         <translation>{told} Une petite partie est : {strategies:strategy}.</translation>
     </message>
@@ -1416,6 +1412,14 @@
     <message>
         <source>Shank, holder and clamps were not checked.</source>
         <translation>La queue, le porte-outil et les brides n&apos;ont pas été vérifiés.</translation>
+    </message>
+    <message>
+        <source>Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read.</source>
+        <translation>De deux codes du même type dans une ligne, comme G0 et G1 ou G90 et G91, le dernier est lu.</translation>
+    </message>
+    <message>
+        <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
+        <translation>Après G80, un déplacement sans G0 ni G1 est lu comme un déplacement rapide. Certaines commandes se déplacent à la vitesse d&apos;avance.</translation>
     </message>
 </context>
 <context>

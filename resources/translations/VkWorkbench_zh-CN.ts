@@ -926,10 +926,6 @@
         <translation>一行中有两个 {letter} 字时，读取最后一个。</translation>
     </message>
     <message>
-        <source>Of two motions in a line, such as G0 and G1, the last one is read.</source>
-        <translation>一行中有两个运动指令（如 G0 和 G1）时，读取最后一个。</translation>
-    </message>
-    <message>
         <source>{told} A small part is {strategies:strategy}.</source>
         <translation>{told}另有一小部分是{strategies:strategy}。</translation>
     </message>
@@ -1416,6 +1412,14 @@
     <message>
         <source>Shank, holder and clamps were not checked.</source>
         <translation>未检查刀柄、刀夹和夹具。</translation>
+    </message>
+    <message>
+        <source>Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read.</source>
+        <translation>一行中有两个同类代码（例如 G0 和 G1，或 G90 和 G91）时，按最后一个读取。</translation>
+    </message>
+    <message>
+        <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
+        <translation>G80 之后没有 G0 或 G1 的移动按快速移动读取。有些控制系统按进给速度移动。</translation>
     </message>
 </context>
 <context>

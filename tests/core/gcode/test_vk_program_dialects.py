@@ -59,6 +59,38 @@ def test_g700_and_g710_of_siemens_set_the_unit():
     assert inches.toolpath().feed[-1] == pytest.approx(25.4)
 
 
+def test_more_work_offsets_of_fanuc_are_selected_by_g54_p():
+    assert said("G54 P1\n" + PLAIN + "G54 P1\nX5\nG54 P2 G0 X6") == [
+        "Line 8: G54.1 is ignored. The coordinates after it are read as if it were not there."
+    ]
+    assert said(PLAIN + "G54 G64 P0.01\nG90 G54 G4 P2\nX5") == []
+
+
+def polar(text):
+    path = read_program("O1\nG21 G90\nG0 X5 Y7 Z5\nG16\n" + text).toolpath()
+    return path.points[-1].round(6).tolist(), [problem.what.code for problem in path.problems]
+
+
+def test_polar_coordinates_of_fanuc_are_read():
+    assert polar("G1 X10 Y90 F60") == ([0, 10, 5], []) and polar("G1 X10 Y0 F60\nY180") == ([-10, 0, 5], [])
+    assert polar("G52 X100\nG1 X10 Y0 F60") == ([110, 0, 5], [])
+    assert polar("G99 G81 X10 Y30 Z-4 R2 F60\nY90\nG15 G80\nX3") == ([3, 10, 2], [])
+    assert polar("G91 G1 X10 F60") == ([15, 7, 5], ["coordinates-not-changed"])
+    assert polar("G18 G1 X10 F60") == ([10, 7, 5], ["coordinates-not-changed"])
+
+
+def test_machine_positions_of_heidenhain_are_not_coordinates():
+    program = read_program("%A G71\nG00 G90 X+0 Y+0 Z+50\nG01 Z-1 F100\nG00 Z-9 M91\nX+9 Y+9 M92\nX+7\nN9 %A G71")
+    assert program.toolpath().points[1:].tolist() == [[0, 0, -1], [0, 0, 50], [7, 0, 50]]
+    assert [problem.what.code for problem in program.problems] == ["machine-height", "machine-position"]
+
+
+def test_call_of_another_heidenhain_program_has_a_remark():
+    begin = "%A G71\nG00 G90 X+0 Y+0 Z+50\n"
+    assert said(begin + "%B\nG01 X+5 F100\nN9 %A G71") == ["Line 3: A subprogram or macro call is ignored."]
+    assert said(begin + "G01 X+5 F100\nN9 %A G71") == []
+
+
 def test_words_of_an_unknown_code_have_a_remark():
     assert last("G777 X5 Z-9") == (10, 2, -1)
     assert said(PLAIN + "G777 Z-9 X5 F90\nX6\nG777 P1\nG777 Y5") == [
@@ -193,11 +225,11 @@ def test_other_words_in_a_line_with_foreign_text_are_read():
         ("S100 M3\nG33 X5 K1", 5, ["thread-at-pitch"]), ("G10 L20 P1 X-5\nG1 X1", 6, []), ("M70\nG20\nM72\nG1 X2", 2, []),
         ("G5.2 X10 Y0 P1", 0, ["unknown-code-with-words"]), ("G41 D1\nG1 X9", 9, ["compensation-not-read"]),
         ("G38.2 X9", 9, ["probing-as-rapid"]), ("g1x5 ; grbl", 5, []), ("G12 I5", 0, ["pocket-not-read"]),
-        ("$J=G91 X10\nG1 X1", 1, ["line-with-variables"]), ("G16\nG1 X10", 10, ["coordinates-not-changed"]),
+        ("$J=G91 X10\nG1 X1", 1, ["line-with-variables"]), ("G1 X1\nG16\nX10", 10, ["coordinates-not-changed"]),
         ("G51 X2 Y2\nG1 X9", 9, ["coordinates-not-changed"]), ("M98 P1 L2\nM30\nO1\nG91 G1 X5\nM99", 10, []),
         ("G65 P1 A5\nM30\nO1\nG1 X#1\nM99", 5, []), ("#1=0\nWHILE [#1 LT 3] DO1\n#1=#1+1\nG1 X#1\nEND1", 3, []),
         ("IF [1 EQ 1] GOTO 5\nG1 X99\nN5 G1 X3", 3, []), ("G1 X10 ,R2", 10, ["word-not-read"]), ("G1 X10 ,C2", 10, ["word-not-read"]),
-        ("G68 X0 Y0 R180\nG1 X10", -10, []), ("G51 X0 Y0 P2000\nG1 X10", 20, []), ("G51.1 X0\nG1 X10", -10, []), ("G52 X5\nG1 X5", 10, []),
+        ("G68 X0 Y0 R180\nG1 X10", -10, []), ("G16\nG1 X10 Y180", -10, []), ("G51 X0 Y0 P2000\nG1 X10", 20, []), ("G51.1 X0\nG1 X10", -10, []), ("G52 X5\nG1 X5", 10, []),
         ("G54.1 P3\nG1 X5", 5, ["coordinates-not-changed"]), ("M97 P5\nM30\nN5 G1 X5\nM99", 5, []), ("G13 I5 D1", 0, ["pocket-not-read"]),
         ("G47 P0 X5 Y0 J5", 0, ["unknown-code-with-words"]), ("G150 P1 X5 Y0 Z-5", 0, ["unknown-code-with-words"]),
         ("G70 I10 J0 L4", 0, ["hole-pattern-not-read"]), ("G154 P2\nG1 X1", 1, ["coordinates-not-changed"]),

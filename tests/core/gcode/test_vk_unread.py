@@ -67,10 +67,11 @@ def test_machining_time_without_a_known_dwell_has_a_note():
     ("G38.2 Z-9 F50", ("probing-as-rapid",)), ("G31 Z-9 F50", ("probing-as-rapid",)),
     ("G41 D1", ("compensation-not-read", "G41")), ("M98 P100", ("subprogram-not-read",)), ("M97 P5", ("subprogram-not-read",)),
     ("G1 X1 Y2 X3", ("word-twice", "X")), ("G1 X1 F100 F200", ("word-twice", "F")), ("G0 G1 X3", ("two-motions",)),
+    ("G90 X3 G91 Y1 G90", ("two-motions",)), ("G2 X1 I1 J0 L3", ("word-not-read", "L")),
     ("G10 L2 P1 X5", ("origin-assumed", "G10")), ("G10 L20 P0 X0\nG10 L20 P33 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
     ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
-    ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
+    ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80 G0", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
 ])  # fmt: skip
 def test_ignored_words_of_programs_have_a_remark(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")
@@ -89,7 +90,7 @@ def test_ignored_words_of_programs_have_a_remark(line, problem):
         "G94",
         "G10 L1 P1 Z5",
         "M97",
-        "G76 Y1 Z-2 R1 I1\nG80",
+        "G76 Y1 Z-2 R1 I1\nG80 G0",
         "$X",
         "POPEN\nDPRNT[TIME*(HHMMSS):*#3021[60]]\nPCLOS",
         "N10 POPEN\nN20 DPRNT[X#100[33]]\nN30 PCLOS",
@@ -102,6 +103,8 @@ def test_ignored_words_of_programs_have_a_remark(line, problem):
         "G1 X5 M67 E2 Q25\n" * 12,
         "G90 G54 G0 X1",
         "G80 G0 X1",
+        "G0 Z5\nG81 X1 Z-2 R1\nG80",
+        "G0 Z5\nG81 X1 Z-2 R1\nG80\nG1 X2\nG0 X3\nG81 Z-2 R1\nG80",
         "G8",
     ],
 )
@@ -142,3 +145,11 @@ def test_words_that_freecad_stores_in_a_comment_are_named():
     """FreeCAD stores the line ``G1 X45 F10 (finish)`` of a Custom operation as a comment with the parameter X."""
     path = linearize([("G0", {"X": 0.0, "Z": 5.0}), ("(10finish)", {"X": 45.0}), ("(plain)", {}), ("G1", {"Z": -1.0})])
     assert [(p.what.code, p.what.arguments["letter"], p.command) for p in path.problems] == [("word-not-read", "X", 1)]
+
+
+def test_rapids_after_g80_have_a_remark_after_g1():
+    program = read_program("G21 G90\nG0 X0 Y0 Z5\nG1 Z2 F100\nG81 X1 Z-2 R1\nG80\nX10 Y3\nX11\nG81 Z-2 R1\nG80\nX12")
+    assert program.toolpath().rapid[-1]
+    assert [(problem.what.code, problem.command, problem.count) for problem in program.problems] == [
+        ("rapid-after-cancel", 6, 1)
+    ]

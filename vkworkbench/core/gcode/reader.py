@@ -178,6 +178,8 @@ class _Reader:
         if name := _HEIDENHAIN_NAME.match(code):
             return self.machine.heidenhain(self.number, 10 * int(name[1]))
         if percent := _PERCENT.match(code):
+            if self.machine.dialect is dialects.HEIDENHAIN:  # %NAME calls another program
+                self._problem(Message("subprogram-not-read"))
             return self.machine.motion >= 0 and percent.end() == len(code)
         return None
 

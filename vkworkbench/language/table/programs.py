@@ -18,7 +18,12 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
     "line-with-variables": QT_TRANSLATE_NOOP("Sentences", "Lines with variables or expressions are ignored."),
     "words-not-read": QT_TRANSLATE_NOOP("Sentences", "Lines that do not consist of words like G1 X10 are ignored."),
     "word-twice": QT_TRANSLATE_NOOP("Sentences", "Of two {letter} words in a line, the last one is read."),
-    "two-motions": QT_TRANSLATE_NOOP("Sentences", "Of two motions in a line, such as G0 and G1, the last one is read."),
+    "two-motions": QT_TRANSLATE_NOOP(
+        "Sentences", "Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read."
+    ),
+    "rapid-after-cancel": QT_TRANSLATE_NOOP(
+        "Sentences", "After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate."
+    ),
     "coordinates-not-changed": QT_TRANSLATE_NOOP(
         "Sentences", "{name} is ignored. The coordinates after it are read as if it were not there."
     ),

@@ -28,6 +28,7 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
+_MACHINE_POSITIONS = (91, 92)  # Heidenhain's M-codes for a move to a machine position
 # Words that controls process before the other words of a line: units, modes, planes and work offsets.
 _FIRST = frozenset(("G", code / 10) for code in codes.UNITS | codes.KEPT | codes.OFFSETS)
 _HANDLERS: dict[int, Handler] = {
@@ -75,6 +76,9 @@ class Interpreter(Machine):
             line.parameters.setdefault("F", self.modes.per_turn)
         if line.codes or "F" in line.parameters:
             self._note_feed(line)
+        both = codes.ABSOLUTE in line.codes and codes.RELATIVE in line.codes
+        if both and not (line.apart or letters.isdisjoint("XYZ")):
+            self.problem(Message("two-motions"))
         move_of(self, line)
         self.ended |= ("M", 2.0) in words or ("M", 30.0) in words
         return returns
@@ -95,6 +99,9 @@ class Interpreter(Machine):
                 self._g_code(whole(10 * value, 10 * _MOST_CODES), line)
             elif letter == "M":
                 change |= value == 6
+                if value in _MACHINE_POSITIONS and self.dialect is HEIDENHAIN:
+                    axes = letters & set("XYZ")
+                    offsets.leave_program(self, line, axes, codes.MACHINE_COORDINATES, f"M{value:.0f}")
                 returns |= m_codes.process(self, value, letters)
                 taken |= m_codes.words_of(value, letters, first=not parameters and "G" not in letters)
             elif letter == "S":

@@ -21,8 +21,10 @@ def move_of(machine: Machine, line: Line) -> None:
     """Add the command for a program line: a move, or only a motion or feed rate for later lines."""
     motion, apart, parameters = line.motion, line.apart, line.parameters
     if motion is None and machine.motion == codes.CANCEL:  # axis words without a motion code after G80 are a rapid
-        motion = codes.RAPID if not AXES.isdisjoint(parameters) and not apart and line.once is None else None
+        motion = _after_cancel(machine) if not AXES.isdisjoint(parameters) and not apart and line.once is None else None
     if motion is not None:
+        if motion in codes.CYCLES and machine.motion in (codes.RAPID, codes.FEED, *codes.ARCS):
+            machine.before_cycles = machine.motion
         machine.motion, machine.later, machine.written = motion, None, -1
         machine.pause = 0.0
     mode = machine.motion
@@ -46,6 +48,13 @@ def move_of(machine: Machine, line: Line) -> None:
         _move_along(machine, parameters, move)
     else:
         SHAPES[line.once](machine, line, move)
+
+
+def _after_cancel(machine: Machine) -> int:
+    """Return the motion of a move after G80; report the move if controls differ in its motion."""
+    if machine.before_cycles > codes.RAPID:
+        machine.problem(Message("rapid-after-cancel"))
+    return codes.RAPID
 
 
 def _move_along(machine: Machine, parameters: dict[str, float], move: dict[str, float]) -> None:
@@ -95,6 +104,8 @@ def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[
     elif machine.length_changed and (mode > 0 or not machine.stopped):
         machine.problem(Message("length-before-height"))
         machine.length_changed = False
+    if "L" in parameters and mode not in codes.CYCLES and machine.call is None:
+        machine.problem(Message("word-not-read", letter="L"))
     if mode in codes.CYCLES and "P" in parameters:
         machine.pause = dwell_of(parameters) or 0.0
 

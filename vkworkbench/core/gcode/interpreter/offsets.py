@@ -11,6 +11,12 @@ from vkworkbench.language import Message
 
 # L words of G10 that set a tool's radius: in LinuxCNC's tool table (L1), and in Fanuc's geometry offsets (L12).
 _RADII = (1.0, 12.0)
+_FIRST_OFFSET = 540
+# Codes whose line can contain the P word of Fanuc's G54. In a line with another code, P can belong to the other code.
+_WITHOUT_P = frozenset([
+    *(("G", float(code)) for code in (0, 1, 17, 18, 19, 20, 21, 40, 43, 49, 54, 80, 90, 91, 94, 98, 99)),
+    *(("M", float(code)) for code in (3, 4, 5, 8, 9)),
+])  # fmt: skip
 
 
 def select(machine: Machine, offset: tuple[int, float]) -> None:
@@ -24,23 +30,29 @@ def select(machine: Machine, offset: tuple[int, float]) -> None:
         machine.problem(Message("coordinates-not-changed", name=codes.name_of(offset[0])))
 
 
-def _offset(code: int, words: list[tuple[str, float]], okuma: bool) -> tuple[int, float] | None:
+def _offset(machine: Machine, line: Line) -> tuple[int, float] | None:
     """Return the work offset that a G-code selects, or None: ten times the G-code, and the number of the work offset.
 
-    The number is the P word of G54.1 and G154, the H word of Okuma's G15, and 0 for other G-codes.
+    The number is the P word of G54.1, G154 and Fanuc's G54, the H word of Okuma's G15, and 0 for other G-codes.
     """
-    if okuma:
-        return (code, dict(words).get("H", 0.0)) if code == codes.OKUMA_OFFSET else None
+    code, words = line.code, dict(line.words)
+    if machine.okuma:
+        return (code, words.get("H", 0.0)) if code == codes.OKUMA_OFFSET else None
     if code not in codes.OFFSETS:
         return None
-    return code, dict(words).get("P", 0.0) if code in codes.NUMBERED_OFFSETS else 0.0
+    if code == _FIRST_OFFSET and "P" in words and machine.motion not in codes.CYCLES:
+        numbered = _WITHOUT_P.issuperset(word for word in line.words if word[0] in "GM")
+        return (codes.MORE_OFFSETS if numbered else code), words["P"] if numbered else 0.0
+    return code, words.get("P", 0.0) if code in codes.NUMBERED_OFFSETS else 0.0
 
 
 def _work_offset(machine: Machine, line: Line) -> None:
     # In a line with G43, the H word is the number of a tool length offset, not of a work offset.
     if line.code == codes.OKUMA_OFFSET and "H" in line.letters and ("G", 43.0) not in line.words:
         machine.okuma = True
-    offset = _offset(line.code, line.words, machine.okuma)
+    if line.code == codes.OKUMA_OFFSET:
+        machine.polar = False
+    offset = _offset(machine, line)
     if offset is not None:
         select(machine, offset)
 
@@ -118,18 +130,44 @@ def _machine_position(machine: Machine, line: Line) -> None:
     Only a move in Z is stored as a command. The tool's unknown position is reported only if another move follows in the
     program. The unknown height is not reported if a program stop or tool change precedes the next move.
     """
-    line.apart = True
     axes = line.letters & set("XYZ") or (set() if line.code == codes.MACHINE_COORDINATES else set("XYZ"))
+    leave_program(machine, line, axes, line.code, codes.name_of(line.code))
+
+
+def leave_program(machine: Machine, line: Line, axes: set[str], code: int, name: str) -> None:
+    """Add a move along some axes to an unknown machine position.
+
+    Parameters
+    ----------
+    machine : Machine
+    line : Line
+        The line of the move.
+    axes : set of str
+        The axes that move.
+    code : int
+        The G-code of the command for the move in Z, as ten times its number, e.g. 530 for G53.
+    name : str
+        Name of the program's code, for messages.
+    """
+    line.apart = True
     if not machine.moved:
         return
     if "Z" in axes:
-        machine.add(codes.name_of(line.code), {"Z": 0.0})
+        machine.add(codes.name_of(code), {"Z": 0.0})
     machine.place.lose(axes)
-    name = codes.name_of(line.code)
     if not axes.isdisjoint("XY"):
         machine.away.append((machine.number, Message("machine-position", name=name)))
     elif axes:
         machine.away.append((machine.number, Message("machine-height", name=name)))
+
+
+def _polar(machine: Machine, line: Line) -> None:
+    """Process G16. The centre of Fanuc's polar coordinates is the origin; Mach3's centre is the tool's position."""
+    here = machine.coordinates()
+    if machine.is_fanuc() or (here.get("X"), here.get("Y")) == (0.0, 0.0):
+        machine.polar = True
+    else:
+        _coordinates(machine, line)
 
 
 def _coordinates(machine: Machine, line: Line) -> None:
@@ -142,4 +180,5 @@ HANDLERS: dict[int, Handler] = {
     **dict.fromkeys([codes.LOCAL, codes.POSITION, codes.END_SHIFT, codes.SUSPEND_SHIFT, codes.RESUME_SHIFT], _shift),
     **dict.fromkeys(codes.MACHINE, _machine_position),
     codes.DATA: _data,
+    codes.POLAR: _polar,
 }

@@ -14,12 +14,15 @@ from vkworkbench.language import Message
 _COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # letters of absolute coordinates, and their axes
 _OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # for arcs with absolute centres (G90.1)
 _POLAR = "@^"  # LinuxCNC's polar coordinates: @ is the distance from the origin, ^ is the angle in degrees
+_POLAR_LETTERS = dict(zip("XY", _POLAR))
 _LENGTHS = frozenset("XYZIJKRQ")
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D", *_POLAR}
 
 
 def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[str, float]:
     """Return the lengths of a move in the coordinates of the toolpath, mm; report words that are not read."""
+    if machine.polar:
+        parameters = _with_polar_letters(machine, parameters)
     if is_polar(parameters):
         parameters = _cartesian(machine, parameters)
     unit = machine.modes.unit
@@ -35,6 +38,21 @@ def target(machine: Machine, mode: int, parameters: dict[str, float]) -> dict[st
         for letter in sorted(set(parameters) - _KNOWN):
             _unread(machine, letter, parameters[letter])
     return move
+
+
+def _with_polar_letters(machine: Machine, parameters: dict[str, float]) -> dict[str, float]:
+    """Return the words of a line after G16, with the letters @ and ^ of LinuxCNC's polar coordinates.
+
+    X words are the distance from the origin, and Y words are the angle. Lines under G91 or in another plane than XY are
+    reported and read as if G16 were not there.
+    """
+    given = {"X", "Y"} & parameters.keys()
+    modes = machine.modes
+    known = len(given) == 2 or {"X", "Y"} <= machine.here().keys()
+    if given and (modes.relative or modes.plane != codes.XY_PLANE or not known):
+        machine.problem(Message("coordinates-not-changed", name="G16"))
+        return parameters
+    return {_POLAR_LETTERS.get(letter, letter): value for letter, value in parameters.items()}
 
 
 def is_polar(parameters: dict[str, float]) -> bool:

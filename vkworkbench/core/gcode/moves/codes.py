@@ -54,19 +54,21 @@ PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
 # Codes that store the position for G28 and G30. Mach3 homes the axes whose words are in the line; LinuxCNC moves the
 # tool.
 STORED_POSITIONS = frozenset([281, 301])
-NUMBERED_OFFSETS = frozenset([541, 1540])  # G54.1 and G154: the P word is the number of the work offset
+MORE_OFFSETS = 541
+NUMBERED_OFFSETS = frozenset([MORE_OFFSETS, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
     *range(1100, 1300, 10),  # Haas
     5000, *range(5050, 6000, 10),  # Siemens
 ])  # fmt: skip
-# Okuma's G15 with an H word selects a work offset. Okuma's G54 to G56 with an H word, or with HA to HC, select a tool
+# G15 ends G16. Okuma's G15 with an H word selects a work offset. Okuma's G54 to G56 with an H word, or with HA to HC, select a tool
 # length offset.
 OKUMA_OFFSET = 150
 LOCAL = 520  # G52 shifts the coordinates by its axis words
 POSITION, END_SHIFT, SUSPEND_SHIFT, RESUME_SHIFT = 920, 921, 922, 923  # G92 shifts the coordinates to its axis words
 ROTATE, END_ROTATION, SCALE, END_SCALE, MIRROR, END_MIRROR = 680, 690, 510, 500, 511, 501
-CHANGES_COORDINATES = frozenset([71, 160, LOCAL, 682])
+POLAR = 160
+CHANGES_COORDINATES = frozenset([71, LOCAL, 682])
 DATA = 100
 TOOL_LENGTH = (430, 431, 432, 490)
 THREAD, RIGID_TAP = 330, 331

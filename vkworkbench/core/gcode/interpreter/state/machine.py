@@ -56,6 +56,8 @@ class Machine:
         The program's first unit, mm: 25.4 for inches, 1 for mm; None before the first unit word.
     motion : int
         The G-code of the motion in force, as ten times its number, e.g. 10 for G1; -1 before the first motion.
+    before_cycles : int
+        The motion before the last series of canned cycles.
     written : int
         The motion of the last command that moves the tool.
     moved : bool
@@ -101,6 +103,8 @@ class Machine:
         Words of a canned cycle with L0, which drills no hole until a later line contains axis words; otherwise None.
     angles : dict
         Last value of each rotary axis, by its letter.
+    polar : bool
+        Whether X words are distances from the origin, and Y words are angles (G16).
     pole : dict
         The centre that is in force for later arcs, mm; empty unless `Dialect.has_pole`.
 
@@ -132,7 +136,7 @@ class Machine:
         self.radii: dict[float, float] = {}
         self.place = Place(self.commands)
         self.first_unit: float | None = None
-        self.motion = self.written = -1
+        self.motion = self.before_cycles = self.written = -1
         self.moved = self.ended = False
         self.away: list[tuple[int, Message]] = []
         self.call: float | None = None
@@ -150,6 +154,7 @@ class Machine:
         self.seconds = 0.0
         self.later: dict[str, float] | None = None
         self.angles: dict[str, float] = {}
+        self.polar = False
         self.pole: dict[str, float] = {}
 
     def problem(self, what: Message, line: int | None = None) -> None:
@@ -169,7 +174,7 @@ class Machine:
             and self.motion in (codes.RAPID, codes.FEED, *codes.ARCS)
             and self.modes.feed_mode == codes.PER_MINUTE
             and not (self.ended or self.away or self.length_changed or self.stopped or self.stands)
-            and not (self.origins.used or self.is_mapped)
+            and not (self.origins.used or self.is_mapped or self.polar)
             and self.compensation is None
             and self.corner is None
             and self.unnamed is None
