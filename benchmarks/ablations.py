@@ -4,8 +4,8 @@
     python3 benchmarks/ablations.py
 
 Every ninth operation of benchmarks/learn_effort.py, and adaptive clearing with up to 96,000 trajectories, are simulated
-from above and obliquely. All predictions of a model are scaled by one factor, so that their median is right. The errors
-are ratios of the larger to the smaller of prediction and processor time.
+from above and obliquely. All predictions of a model are scaled by one factor, so that the median ratio of predicted to
+measured time is 1. The errors are ratios of the larger to the smaller of prediction and processor time.
 """
 
 from __future__ import annotations

@@ -20,14 +20,14 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.memory.silhouette import clip, polygon_area
 
-# Heights that differ by less than this, mm, count as one height of level moves.
+# Horizontal moves whose heights differ by less than this, mm, count as moves at one height.
 _LEVEL = 1e-3
 # The moves in one direction at one height are rows if they have more than this share of the length at that height.
 # Otherwise the moves are links.
 _FAMILY = 0.15
 # Minimum distance between two rows, mm. Moves at a smaller distance belong to the same row.
 _APART = 0.05
-# Strategies that are computed as rows. Mixed operations are mostly rows with a contour around them.
+# Strategies whose area is computed from rows. Mixed operations are mostly rows with a contour around them.
 _ROWS = {Strategy.ZIGZAG, Strategy.ONE_WAY, Strategy.MIXED}
 _LOOPS = {Strategy.CONTOUR_PARALLEL, Strategy.SPIRAL, Strategy.ADAPTIVE}
 
@@ -122,12 +122,12 @@ def _tilt(frame: Frame) -> tuple[float, float, float]:
 
 
 def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid, stepover: float) -> float:
-    """Return the area that a flat tool cuts, mm^2: each height once, and the tool's circle again at each descent."""
+    """Return the area that a flat tool cuts, mm^2: the area at each height, plus the tool's circle at each descent."""
     radius = tool.radius
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
     key = np.rint(t.low / _LEVEL).astype(np.int64)
-    # A descent to the height of level moves cuts only the area that belongs to this height. All other descents also cut
-    # the tool's circle.
+    # If there are horizontal moves at the end height of a descent, the computed area at this height already includes
+    # the descent. All other descents cut the tool's circle in addition.
     between = ~np.isin(key, key[level])
     descents = _descents(t, tool) * t.share
     if recognition.strategy is Strategy.HELIX:
@@ -141,9 +141,10 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
         points = np.concatenate((t.start[here], t.end[here]))[:, :2]
         room, outline = _grown_hull(points, radius, stock)
         if room <= 0:
-            continue  # the trajectories are beside the stock
+            continue  # the trajectories do not touch the stock
         if recognition.strategy in _ROWS:
-            # Rows of different directions are assumed to cross independently of each other.
+            # The shares of the area that rows of different directions cover are assumed to be statistically
+            # independent.
             shares = [_rows_area(t, rows, tool, stepover) / room for rows in _row_families(t, here)]
             area = room * (1 - np.prod(1 - np.minimum(shares, 1)))
         elif recognition.strategy in _LOOPS:
@@ -208,7 +209,7 @@ def _common_area(a: float, b: float, apart: float) -> float:
 
 
 def _row_families(t: _Trajectories, here: np.ndarray) -> list[np.ndarray]:
-    """Return the trajectories at one height for each frequent direction."""
+    """Return arrays with the trajectories at one height in each frequent direction."""
     bins = np.rint(t.heading[here] / np.pi * 36).astype(np.int64) % 36
     length = np.bincount(bins, t.run[here], minlength=36)
     return [here[bins == b] for b in np.flatnonzero(length > _FAMILY * length.sum())]

@@ -19,7 +19,7 @@ except ImportError:  # before 1.0
     from PathScripts import PathJob as Job
 
 document = FreeCAD.newDocument("Undone")
-document.UndoMode = 1  # as in a window
+document.UndoMode = 1  # record undo steps, as FreeCAD does by default in a window
 block = document.addObject("Part::Box", "Block")
 document.recompute()
 controller = Job.Create("Job", [block]).Tools.Group[0]

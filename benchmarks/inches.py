@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Count how often inches are guessed as the unit of toolpaths in mm (wrong), and of toolpaths / 25.4 (right).
+"""Count how often toolpaths in mm are taken for inches (wrong), and toolpaths divided by 25.4 (right).
 
     python3 benchmarks/inches.py FILE...
 
@@ -49,7 +49,7 @@ def shrunk(toolpath: Toolpath, feeds: float) -> Toolpath:
 def main() -> None:
     print(f"{'':40s} {'number':>7s} {'said at 1':>10s} {'at 1/25.4':>10s} {'same':>7s} {'as inches':>10s}")
     for name in map(Path, sys.argv[1:]):
-        imported = name.name.endswith(".jsonl.gz")  # FreeCAD reads a file's mm/min or in/min as mm/s
+        imported = name.name.endswith(".jsonl.gz")  # FreeCAD's import reads feeds in mm/min or in/min as mm/s
         number = said = found = same = same_in_inches = judged = 0
         for toolpath, tool in (operations if imported else programs)(name):
             small = shrunk(toolpath, 60 / INCH if imported else 1 / INCH)

@@ -20,7 +20,7 @@ import numpy as np
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE)]
-sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # comparing names does not need FreeCAD
+sys.modules.setdefault("FreeCAD", types.ModuleType("FreeCAD"))  # an empty module: comparing names does not need FreeCAD
 
 from records import operations
 

@@ -34,11 +34,12 @@ from vkworkbench.core.recognition.verdict.model import Trees
 FOREST = {"n_estimators": 32, "max_leaf_nodes": 100, "max_features": 0.5, "random_state": 1, "n_jobs": -1}
 MANY = 60  # maximum number of retracts inside the sections of a program, so that no raster outweighs all other programs
 FOLDS = 10
-BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5  # weights of borders in programs (rare) and of joined operations
+# Weight of a border in a program, because programs have few borders; and weight of a retract in joined operations.
+BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5
 
 
 def examples(path, sections) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return the measures of a program's retracts; and 0 for a retract inside a section, 1 for a retract between two.
+    """Return the measures of retracts; and 0 for a retract inside a section, 1 for a retract between two sections.
 
     Return None if the program has no retract.
     """
@@ -59,7 +60,7 @@ def examples(path, sections) -> tuple[np.ndarray, np.ndarray] | None:
 
 
 def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarray, ...]:
-    """Return the measures of all retracts, whether they are borders, their groups, weights and kinds."""
+    """Return five arrays on all retracts: their measures, whether they are borders, their groups, weights and kinds."""
     x, y, group, weight, kind = [], [], [], [], []
     single = [r for r in single if len(r.path) < JOINED]
     sources = ("programs", of_programs), ("operations", single), ("joined", joined(single, 500))
@@ -85,7 +86,8 @@ def learn(x, y, weight) -> Trees:
 def left_out(x, y, group, weight) -> tuple[dict[str, Trees], np.ndarray]:
     """Learn without each fold of groups in turn.
 
-    Return the trees that have not seen a group, for every group, and the share of votes for every retract.
+    Return for every group the trees that were learned without it, and for every retract the share of votes that it
+    is a border.
     """
     groups = sorted(set(group))
     fold = dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))

@@ -28,21 +28,22 @@ from vkworkbench.core import Tool, View, estimate, simulate
 from vkworkbench.core.gcode import linearize
 
 RUNS = 2
-# Widths of images. In large images, most of the time is spent on the pixels themselves, because few pairs of a tile
-# and a trajectory belong to each pixel.
+# Widths of the simulated images, pixels. In large images, most of the time is spent on the pixels themselves, because
+# few pairs of a tile and a trajectory belong to each pixel.
 SIZES = (240, 400, 640, 1600, 3200)
 DIRECTIONS = ((0, 0, -1), (0, 0, -1), (1, 1, -1), (0, 0.5, -1), (1, -2, -0.3))
 # Simulations with a longer estimated time, s, are left out because they take too long. Simulations with a shorter
 # measured time are left out because their time cannot be distinguished from noise.
 LONGEST, SHORTEST = 2.0, 3e-3
 FOLDS = 10
-# Approximate cost of each kind of work, s, in vertical and in oblique views; and the weight of these costs relative to
-# one run.
+# Approximate cost of each amount of work, s. The ridge regression adds one equation for each approximate cost, with the
+# weight RIDGE; the equation of a measured run has the weight 1.
 USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[0.05, 0.4] * 8, 0.1])
 RIDGE = 0.3
 STEPS = 20_000
-# Columns of the amounts: trajectories, pixels, meetings and blocks; then the stored dexels and trace elements; then
-# tests and cells by kind; then sorted cells.
+# Columns of the amounts of work (see `Work`): trajectories, pixels, pairs of a trajectory and a tile of the largest
+# size, and batches; then the stored records in a vertical and in an oblique view; then tests and cells by kind; then
+# sorted cells.
 PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), slice(38, 39)
 
 
@@ -124,7 +125,7 @@ def learn(rows: np.ndarray, seconds: np.ndarray, source: np.ndarray) -> None:
 
 
 def costs_of(relative: np.ndarray) -> np.ndarray:
-    """Return the costs (39,) with which the amounts divided by their times, (k, 39), give about 1."""
+    """Return the costs (39,) for which `relative` (k, 39), amounts / measured times, @ costs is about 1."""
     return positive(
         np.vstack((relative, RIDGE * np.diag(1 / USUAL))), np.append(np.ones(len(relative)), np.full(len(USUAL), RIDGE))
     )

@@ -52,7 +52,7 @@ BEST = 2.0  # weight of the best label of a row; all other labels of the row hav
 # improve the accuracy only a little, and the model's file already has 200 kB.
 OF_STRATEGIES = {"n_estimators": 80, "max_leaf_nodes": 160, "max_features": 0.3, "random_state": 1, "n_jobs": -1}
 OF_NONSENSE = {"n_estimators": 60, "max_leaf_nodes": 160, "max_features": 0.5, "random_state": 1, "n_jobs": -1}
-SHARES = 255  # votes of a leaf
+SHARES = 255  # number of votes that a leaf divides among the classes
 
 
 @dataclass
@@ -62,8 +62,8 @@ class Examples:
     Attributes
     ----------
     kind, group, system : (n,) str
-        Key of the row's WEIGHTS; repository, part or kind whose rows are left out together; and CAM system, which can
-        be used for leaving out instead of the group.
+        `kind` is the key of the row's WEIGHTS. `group` is the repository, part or kind whose rows are left out of the
+        learning together. `system` is the CAM system, by which rows can be left out instead.
     x : (n, m) float
         Features.
     accepted : (n, c) bool
@@ -134,7 +134,7 @@ def kind_of(row: dict[str, str], *, told: bool, tool: bool) -> str:
 
 
 def exported(forest, classes: int) -> Trees:
-    """Return the trees of a scikit-learn forest. The classes' shares in a leaf become numbers of votes up to SHARES."""
+    """Return the trees of a scikit-learn forest. A class's share of a leaf, 0 to 1, is stored as 0 to SHARES."""
     columns, roots, count = [], [], 0
     for tree in (one.tree_ for one in forest.estimators_):
         leaf = tree.children_left < 0
@@ -238,7 +238,7 @@ def judge(e: Examples) -> None:
 
 
 def two_classes(e: Examples, of: np.ndarray, said: np.ndarray) -> str:
-    """Return the share of the rows `of` (k,) whose recognised strategies `said` (k,) are in the paper's right class."""
+    """Return the share of the rows `of` (k,) whose recognised strategies `said` (k,) are in the class of a right one."""
     names = [[VALUES[s] for s in np.flatnonzero(e.accepted[i])] for i in of]
     told = [two_class(VALUES[e.best[i]], set(n), VALUES[s]) for i, n, s in zip(of, names, said)]
     known = [one for one in told if one is not None]

@@ -79,7 +79,7 @@ def measure(size, count, alone):
 
     vkworkbench.analyze(document_of(900))  # loads numpy
     document = document_of(size)
-    Path("/proc/self/clear_refs").write_text("5")  # resets the peak
+    Path("/proc/self/clear_refs").write_text("5")  # resets the process's peak memory, VmHWM
     before, start = memory("VmRSS"), time.perf_counter()
     if alone:
         path = document.Op.Path

@@ -106,7 +106,7 @@ class Part:
             self.out.write(json.dumps(record) + "\n")
         self.job.Operations.Group = []
         for name in self.names() - before:
-            if self.document.getObject(name):  # some objects are removed together with others
+            if self.document.getObject(name):  # FreeCAD removes some objects together with other objects
                 self.document.removeObject(name)
 
     def mill(self):
@@ -307,7 +307,7 @@ def _rounded(words):
 
 
 def _named(elements, kind):
-    """Return pairs of FreeCAD's name for an element and the element."""
+    """Return pairs (name, element), in which FreeCAD's name is the kind and a number from 1, for example "Face1"."""
     return ((f"{kind}{number}", element) for number, element in enumerate(elements, 1))
 
 

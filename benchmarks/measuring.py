@@ -12,7 +12,7 @@ import FreeCAD
 import numpy as np
 import Part
 
-RENDERER = "llvmpipe"  # the renderer under Xvfb
+RENDERER = "llvmpipe"  # the OpenGL renderer under Xvfb, which uses the processor
 MOST_STOLEN = 0.03  # runs from which the host takes a larger share of the time for other virtual machines are left out
 ROUNDS = {"fast-forward": 3, "play": 5, "OpenGL play": 3}  # number of runs of each simulation in a window
 

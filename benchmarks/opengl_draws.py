@@ -18,7 +18,7 @@ from vkworkbench.core.simulators import Task, opengl_cost
 
 STOCK = Stock((0, 0, 0), (100, 100, 20))
 CASES = [(radius, diameter) for radius in (5, 20) for diameter in (6, 12)]  # mm
-QUALITIES = 1, 4, 8, 10  # positions of the slider
+QUALITIES = 1, 4, 8, 10  # positions of the simulator's quality slider
 
 
 def draws(command, words, diameter, quality):

@@ -156,11 +156,11 @@ def holes(count):
 
 
 class Operation:
-    """A proxy, which distinguishes an operation of FreeCAD from an imported program."""
+    """The proxy of an operation. An imported program has no proxy, so the proxy marks an operation made in FreeCAD."""
 
 
 KINDS = (scan, zigzag, offsets, adaptive, bores, waterline, holes)
-FEW = {bores: 0.1, holes: 0.1}  # realistic operations have fewer of these commands than of others
+FEW = {bores: 0.1, holes: 0.1}  # factors for the number of commands: realistic bores and holes have few commands
 
 
 def job():

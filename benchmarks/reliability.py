@@ -8,7 +8,8 @@ import numpy as np
 from vkworkbench.core import Family, Strategy
 
 BACK_AND_FORTH = {s.value for s in Strategy if s.family is Family.ROWS}
-AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}  # adaptive is in neither class
+# The strategy adaptive is in neither of the paper's two classes.
+AROUND = {s.value for s in Strategy if s.family is Family.AROUND} - {"adaptive"}
 HIGH = 0.9  # a confidence of at least this counts as high
 
 

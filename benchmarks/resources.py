@@ -45,7 +45,7 @@ from vkworkbench.core.zbuffer import (
     simulate,
 )
 
-MANY = 1.5e6  # number of candidate pixels above which the image is smaller
+MANY = 1.5e6  # number of candidate pixels above which a smaller image is simulated
 ALLOWED = 2e9  # memory limit, bytes; `simulate` refuses simulations that need more
 MOST = 25  # maximum number of operations from each file
 VIEWS = {"top": (0, 0, -1), "tilted 30": (0, 0.5, -math.sqrt(0.75)), "isometric": (1, 1, -math.sqrt(2 / 3))}

@@ -127,7 +127,7 @@ def headless(samples):
 
 
 def simpler_plays(task, predicted, looks):
-    """Yield the names of the mesh's model and of simpler models, and their ratios of predicted to true play time."""
+    """Yield the names of the mesh's model and of simpler models, and their ratios of predicted to actual play time."""
     every = [legacy.BOX, *looks]
     true = float(np.add(every[1:], every[:-1]).mean() / 2)
     tool, stock = task.cutting
@@ -209,5 +209,5 @@ def straight(commands, resolution, top):
     return made
 
 
-if __name__ in ("__main__", "simulators"):  # the second name if FreeCAD imports the script
+if __name__ in ("__main__", "simulators"):  # FreeCAD imports the script under the second name
     run_and_leave(main)

@@ -26,7 +26,7 @@ LONGEST = {"fast-forward": 7000, "play": 100}  # maximum number of commands
 
 
 def run(samples, out):
-    """Simulate every sample, and print the ratios of predicted and true times."""
+    """Simulate every sample, and print the ratios of predicted to measured times."""
     panel = open_panel()
     calibrated = constants(known_speed(), RENDERER)
     cases, runs = [], []
@@ -58,7 +58,7 @@ def run(samples, out):
 
 
 def cost_of(path, tool, stock, known):
-    """Return the predicted cost of a path, with the known constants."""
+    """Return the predicted cost of a path; `known` are the measured constants of this computer."""
     return legacy_cost(Task(path, tool, stock), constants=known)
 
 

@@ -28,7 +28,7 @@ def report_sources(files: list[str], programs: str | None) -> None:
     in_use = decide.shipped_model, visits.shipped_trees
 
     def learn(group: str) -> None:
-        # A group without milling is not in the table, so every fold's model was learned without it.
+        # The table has no rows for a group without milling, so the model of any fold was learned without this group.
         decide.shipped_model = lambda: found.models[fold.get(group, 0)]
         visits.shipped_trees = lambda: borders.get(group) or in_use[1]()
 

@@ -38,7 +38,7 @@ from vkworkbench.core.paper import thresholds as of_paper
 from vkworkbench.core.recognition import thresholds as of_recognition
 
 HOMES = (of_paper, of_recognition)
-#: Measurements that are reused as long as they do not depend on the changed threshold.
+#: Functions of the recognition whose results are reused as long as they do not depend on the changed threshold.
 STEPS = (
     ("recognize", "monotonous_areas"), ("parts", "monotonous_areas"), ("operation", "paper_verdict"),
     ("recognize", "find_retracts"), ("operation", "Section"),
@@ -51,7 +51,7 @@ class Watched:
 
     readers: ClassVar[
         list[set]
-    ] = []  # for each call in progress, the innermost last: the thresholds that the call has read
+    ] = []  # one set for each call in progress, the innermost call last: the thresholds that the call has read
     moved: ClassVar[dict] = {}  # changed values of thresholds
 
     def __init__(self, subject: type) -> None:
@@ -80,12 +80,13 @@ class Remembered:
             Watched.readers.append(set())
             try:
                 result = self.function(*arguments, **options)
-                for name in ("loops", "phi_range"):  # these attributes are computed at their first use
+                for name in ("loops", "phi_range"):  # computed at the first use of the attribute
                     getattr(result, name, None)
             finally:
                 reads = Watched.readers.pop()
             if not Watched.moved:
-                self.known[same] = result, reads, (arguments, options)  # keeps the arguments, identified by address
+                # The arguments are stored because `same` has their addresses, which must not be used again.
+                self.known[same] = result, reads, (arguments, options)
         if Watched.readers:
             Watched.readers[-1] |= reads
         return result
@@ -103,7 +104,7 @@ def subjects() -> dict[type, dict[str, str]]:
 
 
 def watch(found) -> None:
-    """Replace the classes of thresholds by watchers, and the steps by functions with a cache."""
+    """Replace the classes of thresholds by `Watched` objects, and the functions in STEPS by functions with a cache."""
     watchers = {subject: Watched(subject) for subject in found}
     for name, module in list(sys.modules.items()):
         if name.startswith("vkworkbench.core.") and module not in HOMES:

@@ -89,7 +89,7 @@ def main():
     document, job = job_document()
     report = vkworkbench.analyze(document)
     vkworkbench.mark(report)
-    FreeCAD.removeDocumentObserver(upkeep._upkeep)  # the watcher that `mark` has added
+    FreeCAD.removeDocumentObserver(upkeep._upkeep)  # the watcher that `vkworkbench.mark` has added
     observer = Timed()
     recompute(document, job)
     without, with_watcher, shares = [], [], []

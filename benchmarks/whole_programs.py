@@ -13,7 +13,8 @@ from vkworkbench.core import Recognition, Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 
-# Minimum share of a section's length with a right strategy: in a program, and in a pair of operations.
+# A section counts as right if at least this share of its cutting length is in spans with a right strategy: in a
+# program, and in a pair of operations.
 NAMED, IN_PLACE = 0.5, 0.9
 NEAR = 0.02  # maximum distance of a found border from the true border, as a share of the section's length
 PAIRS, SEEDS = 200, 20

@@ -30,10 +30,11 @@ from vkworkbench.core.zbuffer import Cut, memory_needed
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
-# Maximum number of pairs of pixel and trajectory for a test without culling. Higher: the benchmark takes minutes per
-# toolpath.
+# Maximum number of pairs of a pixel and a trajectory in a simulation without culling. Higher: the benchmark takes
+# minutes per toolpath.
 MOST_TRIED = 50e6
-# Number of rows of the image in one batch, and side of the blocks of pixels in a batch, whose pixels follow each other.
+# Number of rows of pixels that are cut in one batch, and side of the squares, in pixels, by which the pixels of a batch
+# are sorted so that neighbours are close in memory.
 ROWS_TRIED, BLOCK_SIDE = 60, 4
 VIEWS = {"above": (0, 0, -1), "oblique": (1, 1, -1)}
 MOMENTS = 60
@@ -49,7 +50,7 @@ def main() -> None:
     growth()
     moments()
     if not quick:
-        # A separate process, because memory that is used again would not be counted.
+        # Measured in a separate process, because this process would use memory again that it has already allocated.
         subprocess.run([sys.executable, __file__, "million"], check=True)
 
 
@@ -150,7 +151,7 @@ def million() -> None:
     reading = reading_time(toolpath)
     view = View()
     needed = memory_needed([Cut(toolpath, BALL)], stock=BLOCK, view=view)
-    Path("/proc/self/clear_refs").write_text("5")  # resets the peak
+    Path("/proc/self/clear_refs").write_text("5")  # resets the process's peak memory, VmHWM
     before = memory("VmRSS")
     seconds, z = processor_time(lambda: simulate(toolpath, tool=BALL, stock=BLOCK, view=view, processes=1))
     peak = memory("VmHWM") - before

@@ -82,7 +82,7 @@ class Job:
 
     def __init__(self, rng, fault) -> None:
         self.rng, self.fault = rng, fault
-        self.made_by = None  # number of the cut and of the command that make the fault
+        self.made_by = None  # index of the cut and number of the command that make the fault
         self.size = np.exp(rng.uniform(np.log(20), np.log(600), 3))
         self.size[2] = min(self.size[2], 50)
         diameter = np.exp(rng.uniform(np.log(0.1), np.log(min(20, self.size[:2].min() / 5))))
@@ -141,7 +141,7 @@ class Job:
             "holder_diameter": 3 * thickest,
             "holder_length": 30.0,
         }
-        # A height between two cuts. If a shank or holder begins at this height, the lower cut is too deep for it.
+        # A height between two depths of cut. A shank or holder that begins at this height collides at the lower depth.
         deep = int(rng.integers(1, len(layers)))
         between = self.top - (layers[deep - 1] + layers[deep]) / 2
         if fault == "shank":
@@ -156,9 +156,9 @@ class Job:
             if fault == "short":
                 sizes.update(holder_diameter=None, holder_length=None)
         elif rng.random() < 0.5 and fault not in ("no retract", "wall", "clamp"):
-            # Either the shank is as wide as the flutes and rubs at the walls, or the holder is just above the block.
-            # Such flutes are too short for cuts beside the pocket, and such a holder is too low for a clamp beside the
-            # pocket.
+            # Half of these jobs have flutes that are only slightly longer than a depth step, with a shank of the same
+            # diameter. All other jobs have a holder just above the block. The faults excluded here have moves beside
+            # the pocket, for which such flutes are too short, or a clamp, for which such a holder is too low.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)
@@ -283,7 +283,7 @@ class Job:
     def _walls(self, across, along):
         """Yield position, extent and lower end of each outer wall and of each wall of the pocket.
 
-        The outer walls are divided into the same pieces as the faces.
+        Each outer wall is divided at the walls of the pocket, as the top of the block is.
         """
         for at in (across[0], across[3]):
             for k in range(3):
@@ -292,7 +292,7 @@ class Job:
             yield at, along[1], along[2], self.top - self.depth
 
 
-# For each kind of fault, its name in the facts of the simulation.
+# For each kind of fault, the name under which the facts of the simulation list it.
 KINDS = {
     "no retract": "crashes", "rapid plunge": "crashes", "fast plunge": "fast_plunges", "deep layer": "gouges", "wall": "gouges",
     "deep hole": "gouges", "deep line": "gouges", "shank": "shank", "flutes": "flutes", "holder": "holder", "short": "length",

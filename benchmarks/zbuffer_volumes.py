@@ -28,14 +28,15 @@ from vkworkbench.core import Cut, Stock, Tool, Toolpath
 from vkworkbench.core.zbuffer import measure_volumes
 
 JOBS, SEED = 40, 47
-# Number of lines between two neighbouring breaks of an area, and number of heights between two neighbouring breaks of a
-# volume. The breaks divide the range of an integral into intervals, which are integrated separately.
+# Number of points at which an integrand is evaluated in each interval. An integral over lines (area) or heights
+# (volume) is divided at breaks into intervals, which are integrated separately.
 NODES = 6
-# Number of equal parts of a range of heights. The range is divided because figures that grow with the height can begin
-# to touch each other at any height.
+# Number of equal parts into which a range of heights is divided. The range is divided because the cut figures can grow
+# with the height, and can begin to touch each other at any height.
 PARTS = 5
-# Minimum number of breaks within the radius of a figure, and number of breaks of all figures together. With enough
-# breaks, the crossings of a figure with other figures and with the edges of the stock lie in short intervals.
+# Minimum number of intervals per radius of a figure, and the number of intervals per radius that all figures share.
+# With enough breaks, the crossings of a figure with other figures and with the edges of the stock lie in short
+# intervals.
 BREAKS, BREAKS_TOGETHER = 4, 200
 
 
@@ -254,7 +255,7 @@ def check_exact_volume() -> None:
     run = np.hypot(40, 20)
     exact = (
         run * (2 * np.pi + 4) + 2 * np.pi / 3 * 8 + np.pi * 4
-    )  # half a round bar, a slot above, and the two round ends
+    )  # half a cylinder, a slot above the cylinder, and the two round ends
     crossing = [cut("endmill", (20, 30, 7), (60, 30, 7)), cut("endmill", (40, 10, 7), (40, 50, 7))]
     crossed = 3 * (2 * (40 * 4 + 4 * np.pi) - 16)
     print(

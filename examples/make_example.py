@@ -23,7 +23,8 @@ VERSION = tuple(map(int, FreeCAD.Version()[:2]))
 LENGTH, WIDTH, HEIGHT = 160.0, 100.0, 20.0  # mm; the plate's lower corner is the origin
 ALLOWANCE = Vector(2, 2, 0), Vector(2, 2, 1.5)  # mm of raw stock on the plate's lower and upper sides
 
-# FreeCAD 0.20's modules are called PathX and PathXGui where 1.x has ...X and ...Gui.X, but for these.
+# FreeCAD 1.x calls its CAM modules Path.X and Path.Gui.X. FreeCAD 0.20 calls them PathX and PathXGui, with these
+# exceptions.
 OLD_NAMES = {
     "Op.Gui.Base": "PathOpGui",
     "Tool.Bit": "PathToolBit",
@@ -54,13 +55,13 @@ def cylinder(x, y, z, radius, height):
 def plate():
     """Return the part to be milled, a solid in mm."""
     solid = box(0, 0, 0, LENGTH, WIDTH, HEIGHT)
-    holes = [(8, 8), (152, 8), (8, 92), (152, 92)]  # in the corners, then a bolt circle
+    holes = [(8, 8), (152, 8), (8, 92), (152, 92)]  # holes in the four corners; the next two lines add a bolt circle
     angles = [math.radians(angle) for angle in range(0, 360, 60)]
     holes += [(134 + 13 * math.cos(angle), 70 + 13 * math.sin(angle)) for angle in angles]
     cuts = [
         box(18, 14, 12, 44, 34, 8),
-        box(70, 14, 14, 42, 34, 6).cut(cylinder(91, 31, 14, 5, 6)),  # a round island stays
-        box(18, 56, 10, 46, 14, 10).fuse(box(18, 56, 10, 18, 32, 10)),  # an L
+        box(70, 14, 14, 42, 34, 6).cut(cylinder(91, 31, 14, 5, 6)),  # a pocket around a round island
+        box(18, 56, 10, 46, 14, 10).fuse(box(18, 56, 10, 18, 32, 10)),  # an L-shaped pocket
         cylinder(134, 31, 0, 12, HEIGHT),
         Part.makeSphere(30, Vector(94, 72, HEIGHT + 24)),
     ]
@@ -79,7 +80,7 @@ def faces(shape, surface, lower, upper):
 
 
 def tool_controller(doc, number, label, shape, diameter, feed):
-    """Make a tool of `diameter` mm; `shape` is the file of FreeCAD's tool library that draws it."""
+    """Make a tool of `diameter` mm; `shape` is the file with the tool's shape in FreeCAD's tool library."""
     try:
         from Path.Tool.toolbit import ToolBit  # 1.1
 
@@ -107,7 +108,8 @@ def operation(job, kind, label, controller, base=(), **properties):
     for name, value in properties.items():
         if not hasattr(op, name):
             raise AttributeError(f"{label} has no {name}")
-        op.setExpression(name, None)  # FreeCAD binds the depths and steps to the tool and the job
+        # Remove FreeCAD's expression, which computes the depth or step from the tool and the job.
+        op.setExpression(name, None)
         setattr(op, name, value)
     if op.ViewObject:
         resources = cam("Op.Gui." + kind).Command.res
@@ -155,7 +157,8 @@ def make_example(path):
     small = tool_controller(doc, 2, "End mill 6 mm", "endmill.fcstd", 6, 800)
     drill = tool_controller(doc, 3, "Drill 5 mm", "drill.fcstd", 5, 200)
     ball = tool_controller(doc, 4, "Ball end mill 6 mm", "ballend.fcstd", 6, 1000)
-    # Between several tools FreeCAD lets the user choose for the first operation: without a window that fails.
+    # If the job has several tools, FreeCAD asks the user for the tool of the first operation, which fails without a
+    # window. Therefore the job has only one tool at first.
     job.Proxy.addToolController(cutter)
 
     pattern = "ClearingPattern" if VERSION >= (1, 1) else "OffsetPattern"
@@ -212,7 +215,7 @@ def make_example(path):
 
 
 def spiral_program():
-    """The text of a program that roughs the dish in two spirals, without a word about what it does."""
+    """Return the text of a program without comments that roughs the dish in two spirals."""
     lines = ["G21 G90", "M6 T2", "G0 Z26"]
     for depth, turns in ((18.5, 4), (17, 3)):
         lines += ["G0 X94 Y72", f"G1 Z{depth} F300"]
@@ -224,7 +227,7 @@ def spiral_program():
 
 
 def add_surprises(doc):
-    """Add to the example what only its toolpaths tell: an imported program, and a pattern that was not recomputed."""
+    """Add an imported program, and a pattern without a recompute: only their toolpaths show their strategies."""
     job = doc.getObject("Job")
     before = job.Operations.Group
     with tempfile.TemporaryDirectory() as folder:

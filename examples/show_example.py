@@ -26,7 +26,7 @@ from make_example import add_surprises, make_example
 
 OUTPUT = Path(os.environ["VKWORKBENCH_OUTPUT"])
 LEAVE = "VKWORKBENCH_LEAVE" in os.environ
-TREE_SETTLES = 1000  # ms; FreeCAD updates its tree a moment after the document
+TREE_SETTLES = 1000  # waiting time, ms, because FreeCAD updates its tree some time after the document
 
 
 def guarded(step):

@@ -22,7 +22,7 @@ def walls_of_a_slot(rng):
     levels = -rng.uniform(0.3, 2.0) * np.arange(1, rng.integers(2, 7))
     for side in (0, 1):
         wall = np.array([(0.0, side * width), (length, side * width)])
-        if lead:  # lead in from the middle of the slot, and out again
+        if lead:  # the tool enters from the middle of the slot and leaves towards it
             inward = lead if side == 0 else -lead
             wall = np.vstack([wall[0] + (-lead, inward), wall, wall[1] + (lead, inward)])
         for z in levels:
@@ -38,7 +38,7 @@ def round_pocket(rng):
     a = np.append(np.arange(0, turns * 2 * np.pi, np.pi / 24), turns * 2 * np.pi)
     wall = circle(0.0, 0.0, radius, a[-1], points=48)
     way = np.vstack([around(a, radius * a / a[-1]), wall[1:]])
-    if rng.random() < 0.6:  # back to the centre
+    if rng.random() < 0.6:  # an arc back towards the centre
         way = np.vstack([way, around(a[-1] + np.linspace(0, np.pi / 2, 7)[1:], radius * np.linspace(1, 0.5, 7)[1:])])
     angle, levels = rng.uniform(0, 2 * np.pi), depths(rng)
     for place in rng.uniform(-150, 150, (int(rng.integers(1, 5)), 2)):

@@ -157,7 +157,7 @@ def rings_of_l(rng):
 
 
 def recursive_squares(rng):
-    """Smaller squares around the corners of squares. A smaller square is drawn when its corner is reached."""
+    """Squares with smaller squares around their corners. A smaller square is drawn when its corner is reached."""
     found: list[complex] = []
     shrink = rng.uniform(0.35, 0.55)
 

@@ -12,7 +12,7 @@ from toolpaths.synthetic import Program
 
 WAYS = ("zigzag", "one-way", "linked", "relief", "one-way relief")
 SHAPES = ("rectangle", "triangle", "disc")
-DECIMALS = 4  # of coordinates; with three, rounding would change a stepover of 0.001 mm to 0 or 0.002 mm
+DECIMALS = 4  # decimals of coordinates; with three, rounding would change a stepover of 0.001 mm to 0 or 0.002 mm
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 FEED = 3.0  # mm/s
-CLEAR = 2.0  # mm in front of the face
+CLEAR = 2.0  # distance of rapids in front of the face, mm
 
 
 class Turning:

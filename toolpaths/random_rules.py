@@ -34,7 +34,7 @@ def shuffled_bits(rng):
     bits = int(rng.integers(6, 11))
     number = np.arange(2**bits)
     if rng.random() < 0.4:
-        number ^= number >> 1  # a Gray code
+        number ^= number >> 1  # converts the numbers to a Gray code
     of = (number[:, None] >> rng.permutation(bits)) & 1
     half = bits // 2
     return np.column_stack([of[:, :half] @ (1 << np.arange(half)), of[:, half:] @ (1 << np.arange(bits - half))]) * 1.0

@@ -56,7 +56,7 @@ def open_adaptive(rng):
             share = np.clip((k - 0.15 * np.sin(line[:, 0] / 9 + k)) / count, 0, 1)[:, None]
             path = (1 - share) * edge + share * line
             r = 2.0
-            lead = np.column_stack([-r * np.sin(t), r - r * np.cos(t)])  # an arc into the pass
+            lead = np.column_stack([-r * np.sin(t), r - r * np.cos(t)])  # a lead-in arc to the start of the pass
             way = np.vstack([path[0] + lead, path[1:-1], (path[-1] + lead * (-1, 1))[::-1]])
             p.cut(turned(way, angle), z)
     return p.commands

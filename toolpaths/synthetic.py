@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-SAFE = 5.0  # mm above the stock
+SAFE = 5.0  # height of rapids above the stock, mm
 FEED = 10.0  # mm/s
 
 
@@ -284,7 +284,7 @@ def profile(rng, *, lead=False, ramp=False, tabs=False, contours=1, opened=False
 
 
 def waterline(rng, *, opened=False):
-    """Level contours of a hill, whose shape changes with the depth."""
+    """Horizontal contours of a hill, whose shape changes with the depth."""
     p = Program(rng)
     a = np.arange(100) * 2 * np.pi / 100
     wobble = 1 + 0.2 * np.cos(2 * a + rng.uniform(0, 6)) + 0.1 * np.cos(3 * a)
@@ -345,7 +345,7 @@ def square_spiral(rng):
 
 
 def helix(rng, *, arcs=True, holes=1, thread=False):
-    """Descending helices with a constant radius: bores, which end with a level turn, or threads, which do not."""
+    """Descending helices with a constant radius: bores, which end with a horizontal full circle, or threads."""
     p = Program(rng)
     for k in range(holes):
         x, y, r = 40 * k, rng.uniform(-20, 20), rng.uniform(1.5, 12)
@@ -455,7 +455,7 @@ def adaptive(rng, *, lift=0.3, rapid_back=True, arcs=False):
 
 
 def bites_in_a_row(rng, *, back="sloped", arcs=False, spiral_first=True, bends=False):
-    """Bites (bent, overlapping strokes) along a channel. The returns are slightly lifted, level, or rapids.
+    """Bites (bent, overlapping strokes) along a channel. The returns are slightly lifted, horizontal, or rapids.
 
     Adaptive clearing without lifts consists of arcs from wall to wall, with a small arc at both ends of each arc.
     """
@@ -682,7 +682,7 @@ SAMPLES = (
     ("trochoid", {"adaptive"}, trochoid),
     ("trochoid of chords", {"adaptive"}, trochoid_of_chords),
     ("winding that corrects itself", {"adaptive"}, lambda r: winding(r, corrects=True)),
-    ("pocket entered by a helix", {"adaptive", "spiral"}, entered_pocket),  # right if no tool is known
+    ("pocket entered by a helix", {"adaptive", "spiral"}, entered_pocket),  # "spiral" is right if no tool is known
     ("spiral entered by a helix", {"spiral"}, lambda rng: entered_pocket(rng, even=True)),
     ("adaptive", {"adaptive"}, adaptive),
     ("adaptive without rapids", {"adaptive"}, lambda r: adaptive(r, rapid_back=False)),
