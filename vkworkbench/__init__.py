@@ -81,7 +81,7 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
     for name, given in (("progress", progress), ("cancelled", cancelled)):
         of_kind(name, given, (Callable, type(None)), "a function")
     if isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
-        what = list(what)  # a generator can be read only once
+        what = list(what)  # a generator can be read only once, but `what` is read more than once
     home = program
     if not program.is_path(what):
         try:

@@ -28,7 +28,10 @@ TIME_PROPERTY_SINCE = (1, 0)  # first version with App::PropertyTime
 
 
 def version() -> tuple[int, int, int]:
-    """Return the version of this FreeCAD, e.g. ``(0, 20, 2)``. A part that does not begin with a number becomes 0."""
+    """Return the version of this FreeCAD, e.g.
+
+    ``(0, 20, 2)``. A part of the version that does not begin with a number is returned as 0.
+    """
     return _numbers(tuple(FreeCAD.Version()[:3]))
 
 
@@ -139,7 +142,7 @@ class Property:
             return None
 
 
-# Operations and other objects with a toolpath.
+# Properties of operations and of other objects with a toolpath.
 PATH = Property("Path", fingerprint="path")
 PLACEMENT = Property("Placement", fingerprint="path")
 BASE = Property("Base")
@@ -150,7 +153,7 @@ CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
 SURFACE_PATTERN = Property("CutPattern")
 ALGORITHM = Property("Algorithm")  # algorithm of a waterline operation
-# A job and its stock.
+# Properties of a job and of its stock.
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
 GROUP = Property("Group", fingerprint="setting")
@@ -161,12 +164,12 @@ STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
 ADDED_GROUP = "Toolpath analysis"  # group of the properties that this add-on adds
 HIDDEN_AND_OUTPUT = 4 | 8  # attributes of an added property whose change does not recompute the object
-# Objects that hold the workpiece. This add-on adds the property to a job.
+# Property for the objects that hold the workpiece (clamps). This add-on adds the property to a job.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
-# The job whose finished part is the stock of this job. This add-on adds the property to a job.
+# Property for the previous job, whose finished part is the stock of this job. This add-on adds the property to a job.
 PREVIOUS_JOB = Property("ToolpathPreviousJob", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
-# A tool controller.
+# Properties of a tool controller.
 TOOL = Property("Tool", fingerprint="setting")
 TOOL_NUMBER = Property("ToolNumber")
 SPINDLE_SPEED = Property("SpindleSpeed")
@@ -174,12 +177,12 @@ HORIZONTAL_RAPID = Property("HorizRapid", fingerprint="setting")
 VERTICAL_RAPID = Property("VertRapid", fingerprint="setting")
 VERTICAL_FEED = Property("VertFeed")
 GCODE = Property("Gcode")  # lines of a file that FreeCAD imported as a custom operation
-# Depths of an operation, and the width and depth of a deburred edge.
+# Properties for the depths of an operation, and for the width and depth of a deburred edge.
 START_DEPTH = Property("StartDepth")
 FINAL_DEPTH = Property("FinalDepth")
 DEBURRED_WIDTH = Property("Width")
 EXTRA_DEPTH = Property("ExtraDepth")
-# A tool. In FreeCAD 0.20, tools that are not tool bits have the property "ToolType".
+# Properties of a tool. In FreeCAD 0.20, tools that are not tool bits have the property "ToolType".
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 TOOL_SHAPE_FILE = Property("ShapeID", since=(1, 1), before=("BitShape",), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
@@ -191,7 +194,7 @@ TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # flat end of a V
 CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # a V-bit's edge above its cone
 TOOL_LENGTH = Property("Length", fingerprint="setting")
 SHANK_DIAMETER = Property("ShankDiameter", fingerprint="setting")
-# FreeCAD's tool bits have no holder. Users may add these properties.
+# FreeCAD's tool bits have no holder. Users may add these properties for the holder to a tool bit.
 HOLDER_DIAMETER = Property("HolderDiameter", fingerprint="setting")
 HOLDER_LENGTH = Property("HolderLength", fingerprint="setting")
 

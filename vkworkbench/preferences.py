@@ -2,8 +2,8 @@
 """The user's preferences with their meanings and defaults.
 
 Commands and macros use the same preferences. FreeCAD stores the preferences in its parameters, in ``Mod/VkWorkbench``,
-with names such as ``ImageWidth``. A page in FreeCAD's preferences dialog shows them. This module does not import numpy,
-because the page is registered when FreeCAD starts.
+with names such as ``ImageWidth``. A page in FreeCAD's preferences dialog shows the preferences. This module does not
+import numpy, because the page is registered when FreeCAD starts.
 """
 
 from __future__ import annotations
@@ -280,7 +280,7 @@ def observe(changed: Callable[[str], None]) -> None:
 
     group, observer = FreeCAD.ParamGet(GROUP), Observer()
     group.Attach(observer)
-    _observers.append((group, observer))  # keeps both objects alive, because FreeCAD does not
+    _observers.append((group, observer))  # references that keep both objects alive, because FreeCAD keeps none
 
 
 _observers: list = []
@@ -303,5 +303,6 @@ def is_possible(name: str, value) -> bool:
 
 def _possible(value, limits) -> bool:
     if "choices" in limits:
-        return value in limits["choices"]()  # a FreeCAD version with other simulators has possibly stored the value
+        # A value stored by a FreeCAD version with other simulators is not valid here.
+        return value in limits["choices"]()
     return not limits or limits["least"] <= value <= limits["most"]

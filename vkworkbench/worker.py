@@ -27,7 +27,7 @@ _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).reso
 _PR_SET_PDEATHSIG = 1  # from Linux's prctl.h
 # Number of rows of a matrix that is large enough for OpenBLAS to reserve its memory when the matrix is multiplied.
 _OF_BLAS = 128
-# Without this flag, Windows opens a console for each process.
+# Flag for new processes, without which Windows opens a console window for each process.
 _NO_WINDOW: int = getattr(subprocess, "CREATE_NO_WINDOW", 0)
 
 
@@ -46,8 +46,8 @@ class Worker:
     work : callable
         Function of one argument. The function, its arguments and its results must be picklable.
     most_memory : float, optional
-        Memory limit for `work`, bytes. If `work` needs more, a `MemoryError` is raised in it. The limit is effective
-        only on Linux.
+        Memory limit for `work`, bytes. If `work` needs more memory, a `MemoryError` is raised in `work`. The limit is
+        effective only on Linux.
 
     Raises
     ------
@@ -102,7 +102,7 @@ class Worker:
 
     def kill(self) -> None:
         """Kill the worker process. A waiting `__call__` then raises `WorkerDied`. Any thread may call this method."""
-        with suppress(ProcessLookupError):  # Python before 3.9 raises it if the process has just ended
+        with suppress(ProcessLookupError):  # raised by Python before 3.9 if the process has just ended
             self._process.kill()
 
     def end(self) -> None:
@@ -118,14 +118,14 @@ class Worker:
             with _broken_pipes_are_errors():
                 pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
                 self._process.stdin.flush()  # type: ignore[union-attr]
-        except (OSError, ValueError):  # the pipe is closed at one end
+        except (OSError, ValueError):  # this process or the worker process has closed the pipe
             self.end()
             raise WorkerDied from None
 
     def _answer(self) -> Any:
         try:
             return pickle.load(self._process.stdout)  # type: ignore[arg-type] # of this package's own process
-        # The worker process sent no answer, or the answer does not fit into the memory.
+        # The worker process sent no answer, or too little memory is free for the answer.
         except (EOFError, OSError, ValueError, MemoryError, pickle.UnpicklingError):
             self.end()
             raise WorkerDied from None
@@ -134,7 +134,7 @@ class Worker:
 def serve() -> None:
     """Run in the worker process: read the function from the standard input, then read and answer the arguments."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process handles Ctrl-C, and then closes the input
-    with suppress(OSError, AttributeError, TypeError):  # only Linux has this call
+    with suppress(OSError, AttributeError, TypeError):  # prctl exists only on Linux
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(2, 1)  # redirect other output, which must not mix with the answers
@@ -147,7 +147,7 @@ def serve() -> None:
 
     with suppress(BrokenPipeError):
         say(_versions())
-        most_memory, work = received.get()  # with the modules of the work, whose memory the limit does not include
+        most_memory, work = received.get()  # reading `work` also imports its modules, so their memory is not limited
         _limit_memory(most_memory)
         while True:
             say(work(received.get()))
@@ -165,7 +165,7 @@ def _receive(received: SimpleQueue[Any]) -> None:
 def _limit_memory(most: float | None) -> None:
     """Limit the memory that this process allocates from now on to `most` bytes."""
     if most is not None and sys.platform == "linux":
-        import resource  # Windows does not have this module
+        import resource  # the module does not exist on Windows
 
         # OpenBLAS allocates up to 128 MB at its first matrix product, and tries forever if the limit does not allow it.
         np.ones((_OF_BLAS, _OF_BLAS)) @ np.ones((_OF_BLAS, _OF_BLAS))
@@ -206,7 +206,7 @@ def processes() -> int:
 @contextmanager
 def _broken_pipes_are_errors() -> Iterator[None]:
     """Block SIGPIPE, the signal for writing to a dead process, which would end FreeCAD 1.0; Python alone ignores it."""
-    if not hasattr(signal, "pthread_sigmask"):  # Windows has no such signal
+    if not hasattr(signal, "pthread_sigmask"):  # Windows has no SIGPIPE
         yield
         return
     before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGPIPE])

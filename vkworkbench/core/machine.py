@@ -33,17 +33,17 @@ class Machine:
     Parameters
     ----------
     rates : (3,) tuple of float
-        Largest speeds of the X, Y and Z axes, mm/s. Rapids use these speeds.
+        Largest speeds of the X, Y and Z axes, mm/s. Rapids move at the axes' largest speeds.
     accelerations : (3,) tuple of float
         Accelerations of the axes, mm/s^2.
     deviation : float
         Largest distance between a programmed corner and the rounded path of the tool, mm. In grbl, this is the junction
         deviation; in LinuxCNC, the path tolerance (G64 P). If the value is 0, the tool stops at each corner.
     lookahead : int
-        Number of moves that the controller plans ahead. The tool must be able to stop within these moves, so a
+        Number of moves that the controller plans ahead. The tool must be able to stop within the planned moves, so a
         controller that plans few moves ahead is slow in NC programs with tiny moves.
     factor : float
-        Measured time of a job divided by its planned time. All times are multiplied by this factor.
+        Measured time of a job divided by its planned time. All computed times are multiplied by `factor`.
     tool_change : float
         Time to change the tool between two operations, s, without `spindle_start`.
     spindle_start : float
@@ -154,7 +154,7 @@ def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
     Parameters
     ----------
     settings : str
-        Lines such as ``$110=3000.000``. Other lines are skipped.
+        Lines such as ``$110=3000.000``. Lines in another form are skipped.
     otherwise : Machine
         Machine whose values are used for settings that are not in `settings`.
 

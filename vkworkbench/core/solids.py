@@ -58,7 +58,10 @@ class Spans(NamedTuple):
 
 
 class Convex:
-    """A convex solid: all points with ``normals @ point <= offsets``. This is the base class of all convex stocks."""
+    """A convex solid: all points with ``normals @ point <= offsets``.
+
+    `Convex` is the base class of all convex stocks.
+    """
 
     normals: np.ndarray
     offsets: np.ndarray

@@ -13,7 +13,8 @@ import numpy as np
 # than _EQUAL times the shortest.
 _EQUAL, _TIMES = 1.05, 3
 
-# The processor time of this process. On Windows, this time advances in steps of 16 ms, so the wall-clock time is used.
+# The processor time of this process. On Windows, the processor time advances in steps of 16 ms, so the wall-clock time
+# is used.
 processor_clock: Callable[[], float] = time.perf_counter if os.name == "nt" else time.process_time
 
 
@@ -37,7 +38,7 @@ def steady_seconds(
     most : int
         Largest number of measurements of each function.
     going_on : callable
-        Called before each measurement. An exception from this call ends all measurements.
+        Called before each measurement. An exception from `going_on` ends all measurements.
     """
     times: list[list[float]] = [[] for _ in pieces]
     for _ in range(most):

@@ -14,15 +14,15 @@ Argument = Union[int, float, str, None, "Message", Tuple[Any, ...]]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Message:
-    """The code of a sentence in the table of sentences, with values for the places in this sentence.
+    """The code of a sentence in the table of sentences, with values for the sentence's placeholders.
 
     Parameters
     ----------
     code : str
     **arguments : int, float, str, None, Message, or sequence of these
-        Values for the places of the sentence. Numbers are in mm, s, rad, bytes or shares of 1. Labels and other names
-        are texts, which are not translated. A message stands for a part of the sentence, and None for a part that is
-        left out. Members of an enum, such as strategies, are stored as their values.
+        Values for the sentence's placeholders. Numbers are in mm, s, rad, bytes or shares of 1. Labels and other names
+        are texts, which are not translated. A placeholder is replaced by another sentence if its value is a message,
+        and by nothing if its value is None. Members of an enum, such as strategies, are stored as their values.
     """
 
     code: str

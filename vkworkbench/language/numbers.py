@@ -28,7 +28,9 @@ _THOUSANDS = re.compile(r"^-?\d{4,}")
 
 
 class Reader:
-    """The language, units and number format of a reader. This class is for English and mm, subclasses for all others.
+    """The language, units and number format of a reader.
+
+    This class formats for English and mm; subclasses are for other languages and units.
 
     Attributes
     ----------
@@ -47,7 +49,7 @@ class Reader:
         return self.translate("Sentences", _SIMULATORS.get(name, name))
 
     def length_unit(self, millimetres: float) -> tuple[float, str]:
-        """Return the unit in which a length of this size is shown: the unit's length in mm and its name."""
+        """Return the length in mm and the name of the unit in which a length is shown."""
         return 1.0, "mm"
 
     def length(self, millimetres: float) -> str:
@@ -64,7 +66,7 @@ class Reader:
     def volume(self, cubic_millimetres: float, digits: int) -> str:
         """Return a volume as text with the given number of significant digits, e.g. ``"212 mm³"``.
 
-        The unit is the cube of the unit for the side of a cube with this volume.
+        The unit is cubed from the unit in which the side of a cube with the volume would be shown.
         """
         factor, unit = self.length_unit(cubic_millimetres ** (1 / 3))
         return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"
@@ -156,7 +158,7 @@ class Reader:
             text = f"{self.separated(f'{value:,.{places}f}')} {unit}"
             if value * length < most:
                 break
-            seconds = max(seconds, most)  # so that 59.7 s is shown as 1 min
+            seconds = max(seconds, most)  # a duration that rounds to 60 s is shown as 1 min
         return text
 
     def _digits(self, value: float, extra_digits: int = 0) -> str:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Render messages as sentences in the reader's language, units and number format.
 
-Each code has a template, which is a sentence with places ``{name}`` or ``{name:quantity}`` for the message's arguments.
-A place without a quantity stands for a text or for another message. The quantities are:
+Each code has a template, which is a sentence with placeholders ``{name}`` or ``{name:quantity}`` for the message's
+arguments. A placeholder without a quantity is for a text or for another message. The quantities are:
 
 * ``n``: a count
 * ``#``: the number of a line or command, counted from 1
@@ -53,7 +53,7 @@ _QUANTITIES: dict[str, Callable[[Reader, Any, int], str]] = {
     "simulator": lambda reader, value, digits: reader.simulator(value),
     "strategy": lambda reader, value, digits: reader.translate("Strategy", value),
 }
-_ROUNDED = ("s", "bytes")  # quantities with few digits, for which a number of extra digits is computed
+_ROUNDED = ("s", "bytes")  # quantities that get extra digits if two rounded values in a sentence look equal
 _DEFAULT_DIGITS = 6
 _MOST_EXTRA_DIGITS = 6
 
@@ -86,7 +86,7 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
 
 
 def _with_different_times(template: str, arguments: dict[str, Argument], reader: Reader) -> str:
-    """Return the template, changed to show estimates exactly if a rounded estimate would look like another time."""
+    """Return the template; if two rounded times in the sentence look equal, with estimates shown exactly."""
     places = [place for place in _PLACE.finditer(template) if place[2] in ("s", "estimate")]
     texts = {arguments[place[1]]: _QUANTITIES[place[2]](reader, arguments[place[1]], 0) for place in places}
     return template if len(set(texts.values())) == len(texts) else template.replace(":estimate}", ":s}")

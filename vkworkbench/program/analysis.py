@@ -61,7 +61,7 @@ def analyze(
     progress : callable, optional
         Called before each file with the number of finished files, the number of all files, and the name of the file.
     cancelled : callable, optional
-        Called before each file. If it returns True, the analysis ends.
+        Called before each file. If the function returns True, the analysis ends.
     machine : Machine, str or path, optional
         See `Preferences.for_machine`.
 
@@ -167,8 +167,8 @@ class Divided:
     parts : tuple of (Toolpath, Section)
         The moves of each operation.
     inches : bool
-        Whether the program is in inches but its numbers were read as millimetres. The tools are then too small by the
-        same factor.
+        Whether the program is in inches but its numbers were read as millimetres. If True, the tools are too small by
+        the factor 25.4, like the moves.
     """
 
     toolpath: Toolpath

@@ -31,7 +31,7 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
     Returns
     -------
     tuple of OperationReport
-        The rows of the program. If the process died or exceeded the time limit, one row with this reason.
+        The rows of the program. If the process died or exceeded the time limit, one row whose remark states the reason.
     """
     begin = float("inf")
     try:

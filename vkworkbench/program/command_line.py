@@ -29,8 +29,8 @@ _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses of the command
 _CONNECT = 30  # time limit for connecting to a Dask scheduler, s
 _AHEAD = 4  # number of files that are submitted in advance for each process
 _STANDARD_OUTPUT = "-"
-# Names of files that only this process can open, such as the shell's <(...). Programs are read in other processes, so
-# these names are refused.
+# Names of files that only this process can open, such as the shell's <(...). Names such as <(...) are refused, because
+# programs are read in other processes.
 _STANDARD_INPUT = re.compile(r"-|/dev/stdin|/(?:dev|proc/self)/fd/\d+")
 
 
@@ -61,7 +61,10 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _drop_unwritten() -> None:
-    """Discard output that cannot be written. Otherwise Python would print an error when it exits."""
+    """Discard output that cannot be written.
+
+    If output cannot be written and is not discarded, Python prints an error when it exits.
+    """
     try:
         sys.stdout.flush()
     except OSError:

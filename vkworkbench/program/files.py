@@ -23,7 +23,7 @@ _SUFFIXES = frozenset([
 ])  # fmt: skip
 _HEAD, _FEWEST_WORDS = 100_000, 3  # number of examined bytes, and minimum number of lines with words
 # Definitions of tools and formats in files of circuit boards: drill files (Excellon) and drawings (Gerber). The lines
-# of these files look like words of an NC program.
+# of drill files and drawings look like words of an NC program.
 _OF_CIRCUIT_BOARDS = re.compile(r"T\d+(?:[FSBHZ]\d*)*C[\d.]|%(?:FS|MO|AD)")
 # Limits of a decompressed text: bytes, lines, and characters of a line. A text beyond these limits is refused, because
 # a toolpath has at most 5 million moves, and lines of NC programs are shorter.
@@ -32,8 +32,8 @@ _PART = 10_000_000  # size of one read, bytes
 _LINE_END = re.compile("[\n\r]")
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
-# Three consecutive letters outside ASCII mean that the text is Cyrillic. In Western languages, such letters stand
-# alone.
+# Three consecutive letters outside ASCII mean that the text is Cyrillic. In Western languages, a letter outside ASCII
+# stands alone.
 _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
 # Characters that serial transmission adds to a text: NUL from the leader of a punched tape, and DC1 to DC4, which start
 # and stop a device.
@@ -128,7 +128,7 @@ def _looks_like_a_program(path: Path) -> bool:
 
 
 def _is_endless(path: str | Path) -> bool:
-    """Return whether a path is a pipe or a device. Reading it might never end."""
+    """Return whether a path is a pipe or a device. Reading a pipe or a device might never end."""
     return os.path.exists(path) and not os.path.isfile(path) and not os.path.isdir(path)
 
 
@@ -138,7 +138,7 @@ def read_bytes(path: Path) -> bytes:
     Raises
     ------
     Unusable
-        If the file cannot be read, or is too large.
+        If the file cannot be read, or its content is too large.
     """
     if _is_endless(path):
         raise Unusable(Message("no-file"))

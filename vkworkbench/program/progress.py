@@ -24,7 +24,7 @@ class Progress:
     paths : iterable of Path
         Files to analyse.
     stream : TextIO
-        A terminal shows one line that changes. Other streams get a new line for each report.
+        A terminal shows one line that changes. A stream that is not a terminal gets a new line for each report.
     """
 
     def __init__(self, paths: Iterable[Path], stream: TextIO) -> None:

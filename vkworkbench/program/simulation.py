@@ -164,7 +164,7 @@ def _box_around(cuts: tuple[Cut, ...]) -> Stock:
     """Return a box around all cuts as the stock.
 
     The top of the box is at the height 0 if all cuts are at or below 0 and at least half of the horizontal rapids are
-    at or above 0. Otherwise the top is at the height of the highest cut.
+    at or above 0. In all other cases, the top of the box is at the height of the highest cut.
     """
     cutting = [cut for cut in cuts if not cut.toolpath.rapid.all()]
     boxes = [stock_around(cut.toolpath, cut.tool) for cut in cutting]

@@ -69,7 +69,7 @@ class OperationReport(Costs):
     machining : Machining
         Lengths and machining time. FreeCAD's own values are not used, because they are wrong for arcs.
     costs, advice : mapping
-        As in `Costs`. If both are empty, `remarks` contains the reason.
+        As in `Costs`. If `costs` and `advice` are empty, `remarks` contains the reason.
     cautions : tuple of Caution
         Problems and long times in FreeCAD's simulators, the worst first.
     remarks : tuple of Message
@@ -270,11 +270,11 @@ def cells_of(operation: OperationReport) -> dict[str, Any]:
     """Return the results of an operation as the cells of one row of a table.
 
     The columns ``simulated_...`` contain the facts of a simulation, with commands counted from 0. Without a simulation,
-    these columns are empty. The column ``codes`` contains the code of each message, followed by the codes of the
-    messages in its arguments. The column ``spans`` contains the first and the last command of each strategy, as in
-    `Span`. For operations in FreeCAD, the commands are indices into ``Path.Commands``, counted from 0. For NC programs,
-    ``spans`` contains program lines, counted from 1. Sentences count commands and lines from 1. An apostrophe is put
-    before texts that a spreadsheet would calculate as formulas.
+    the columns ``simulated_...`` are empty. The column ``codes`` contains the code of each message, followed by the
+    codes of the messages in its arguments. The column ``spans`` contains the first and the last command of each
+    strategy, as in `Span`. For operations in FreeCAD, the commands are indices into ``Path.Commands``, counted from 0.
+    For NC programs, ``spans`` contains program lines, counted from 1. Sentences count commands and lines from 1. An
+    apostrophe is put before texts that a spreadsheet would calculate as formulas.
     """
     row = operation.as_dict()
     del row["messages"]

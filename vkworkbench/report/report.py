@@ -47,7 +47,8 @@ class Report:
         The `JobVerdict` of a simulation of the whole job, by (document name, job name). Jobs without a verdict are
         missing.
     simulator : str
-        Name of the simulator whose time and memory the table shows. Marks in the tree show the same simulator.
+        Name of the simulator whose time and memory the table shows. The marks in the tree show the time of this
+        simulator.
     left_out : tuple of str
         Files in folders that were not analysed, because they do not look like NC programs.
     """

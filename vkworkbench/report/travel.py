@@ -34,7 +34,7 @@ def with_travel(
     rows : sequence of OperationReport
         All rows of the report.
     job : iterable of OperationReport
-        All rows of one job. The report may contain only some of these rows.
+        All rows of one job. `rows` may contain only some rows of the job.
     travel : tuple of float
         Travel of the machine along X, Y and Z, mm; 0 if unknown.
     """

@@ -22,7 +22,7 @@ from vkworkbench.core.gcode.moves import codes
 # more memory.
 _LINES, _CHARACTERS = 20_000, 2_000_000
 # Largest number of digits in the number of a word. A decimal number is computed as the quotient of an integer and a
-# power of ten. Up to 15 digits, both are exact floats, so only the quotient is rounded.
+# power of ten. Integers of up to 15 digits and powers up to 1e15 are exact floats, so only the quotient is rounded.
 _MOST_DIGITS = 15
 _MOTIONS = (codes.RAPID, codes.FEED, *codes.ARCS)
 _LETTERS = "NGXYZIJKRF"

@@ -38,7 +38,8 @@ _RETURN = re.compile(r"M\s*99(?!\d)")
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
-# Text that is not a word of G-code. The reader ignores this text in a line that begins with a motion (`_MOVE`).
+# Text that is not a word of G-code. The reader ignores text that is not a word in a line that begins with a motion
+# (`_MOVE`).
 _FOREIGN = re.compile(r"[^\s\d.+\-A-Z\[\]#=<>]{1,20}|[A-Z]{3,20}", re.ASCII)
 _MOVE = re.compile(r"(?:N\s*\d+\s*)?G\s*0*[0-3](?![\d.])")
 # Statements for jumps, loops and calls, in lines that cannot be parsed.
@@ -101,7 +102,7 @@ class _Reader:
         self.ran: set[int] = set()  # indices of the lines that were read in calls
         self.calls: list[int] = []  # indices of the current subprograms' first lines, outermost call first
         self.jump: int | None = None  # index of the line to which the current line jumps; None without a jump
-        self.again = False  # whether a jump back or a call led to a line that is not below line `number` in the text
+        self.again = False  # whether a jump back or a call led to a line that is not after line `number` in the text
         self.deleted = False  # whether the current line has a block delete
         self.number = 0
         self.blocks = 0

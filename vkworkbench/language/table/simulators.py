@@ -6,7 +6,7 @@ from __future__ import annotations
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 SIMULATORS: dict[str, str | tuple[str, str]] = {
-    # Problems of a simulator.
+    # Sentences about problems of FreeCAD's simulators.
     "legacy-hangs": QT_TRANSLATE_NOOP(
         "Sentences", "The {simulator:simulator} hangs on an arc {reason} (command {command:#}{others}). {instead}"
     ),
@@ -106,7 +106,7 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "fewer-operations": QT_TRANSLATE_NOOP("Sentences", "Simulate fewer operations at a time."),
     "smaller-image": QT_TRANSLATE_NOOP("Sentences", "Choose a smaller image in the preferences."),
     "coarser-accuracy": QT_TRANSLATE_NOOP("Sentences", "Move its accuracy slider to the left."),
-    # The z-buffer's memory.
+    # Sentences about simulations for which the z-buffer needs too much memory.
     "zbuffer-memory": QT_TRANSLATE_NOOP(
         "Sentences",
         "The simulation takes about {memory:bytes} at its peak, for {dexels:n} dexels "

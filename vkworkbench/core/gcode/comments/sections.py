@@ -22,7 +22,7 @@ from vkworkbench.core.gcode.moves.words import Words
 from vkworkbench.core.tool import Tool
 
 # Largest number of titles in a program that differ only in the numbers they contain (such as "Pass 1" and "Pass 2"). If
-# there are more, these titles name passes, and begin no operation.
+# a program has more such titles, the titles name passes, and do not begin operations.
 MANY_TITLES = 50
 
 _AXES = frozenset("XYZ")
@@ -34,9 +34,9 @@ _ITS_DIAMETER = re.compile(r"\W*(?:D|(?:tool\s*)?dia(?:meter)?)\.?\s*[:=]\s*[\d.
 # Comments that describe a tool, but do not contain the tool's name.
 _NO_NAME = re.compile(r"\s*(?:TOOL/|tool_radius\b|tool size\b)", re.IGNORECASE)
 # The name of a FreeCAD tool controller, which begins an operation like a title. In programs for controls without M6,
-# only this name shows the tool change.
+# only the controller's name shows the tool change.
 _CONTROLLER = re.compile(r"\s*TC: \S")
-# Estlcam writes this comment, and then lists the program's tools, each in a comment.
+# Estlcam writes "required tools:" in one comment, and then lists each tool of the program in a comment of its own.
 _REQUIRED_TOOLS = re.compile(r"\s*required tools:\s*", re.IGNORECASE)
 # Fusion lists the tools at the top of the program, and writes the comment on each tool below its tool change.
 _TOOL_OF_FUSION = re.compile(r"\s*T\d+\s+D=\S+\s+CR=", re.IGNORECASE)
@@ -119,7 +119,7 @@ class _Group:
     told
         Line of the comment that describes `tool`.
     known : dict
-        The tools that comments up to this group describe, by tool number.
+        The tools that the comments of this group and of all earlier groups describe, by tool number.
     """
 
     line: int

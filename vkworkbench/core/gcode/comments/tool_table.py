@@ -151,8 +151,8 @@ class ToldTool:
         The tool's number in T words; None if the comment contains no tool number.
     tool : Tool
     from_here : bool
-        Whether all moves after the comment use this tool, as after comments for CutViewer. Other comments possibly only
-        list a tool that the program needs later.
+        Whether all moves after the comment use this tool, as after comments for CutViewer. If False, the comment
+        possibly lists a tool that the program needs later.
     """
 
     number: int | None
@@ -171,8 +171,8 @@ def tool_told(comment: str, *, inches: bool, of: int | None = None) -> ToldTool 
     inches : bool
         Whether decimal lengths without a unit are in inches (G20). Fractions without a unit (1/4) are always in inches.
     of : int, optional
-        Number of the new tool if the comment is in the line of a tool change. A diameter in such a comment belongs to
-        the new tool even if the comment contains no word for a tool.
+        Number of the new tool if the comment is in the line of a tool change. A diameter in the line of a tool change
+        belongs to the new tool even if the comment contains no word for a tool.
     """
     if len(comment) > _LONGEST:
         return None
@@ -270,7 +270,7 @@ def _without_offsets(comment: str, number: re.Match[str] | None) -> str:
 
 
 def _is_bare(size: re.Match[str]) -> bool:
-    """Return whether a size is a whole number without a unit and without the same size in another unit."""
+    """Return whether a size is a whole number without a unit and without a tool length (10 x 72)."""
     return size["size"].isdigit() and not size["unit"] and not size["across"]
 
 

@@ -56,8 +56,8 @@ class Clues:
     def m_code(self, value: float, letters: set[str], line: int) -> None:
         """Note an M-code that indicates the machine.
 
-        M104, M109, M140 and M190 indicate a 3D printer only with an S or R word, the temperature. On mills, these codes
-        have various meanings.
+        M104, M109, M140 and M190 indicate a 3D printer only with an S or R word, the temperature. On mills, M104, M109,
+        M140 and M190 have various meanings.
         """
         if value in _PRINTER and self._printer is None and not letters.isdisjoint("SR"):
             self._printer = f"M{value:g}", line

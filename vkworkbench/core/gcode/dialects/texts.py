@@ -87,8 +87,8 @@ def check(blocks: int, strange: list[int], moves: bool, problems: tuple[Problem,
     blocks : int
         Number of lines read that contain more than comments.
     strange : list of int
-        Numbers of the lines with text that cannot be read as words, except for variables and jumps. If there are more
-        such lines than half of `blocks`, the text is not an NC program.
+        Numbers of the lines with text that cannot be read as words, except for variables and jumps. If more than half
+        of the lines cannot be read as words, the text is not an NC program.
     moves : bool
         Whether any line moves the tool.
     problems : tuple of Problem

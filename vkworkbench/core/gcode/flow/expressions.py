@@ -15,8 +15,8 @@ from vkworkbench.core.gcode.flow.ended import Ended, Unreadable
 from vkworkbench.core.gcode.flow.variables import Variables
 from vkworkbench.language import Message
 
-# An expression as a postfix list, which is calculated in order with a stack. Each item is one of the kinds below, with
-# the number, name or function that the item uses.
+# An expression as a postfix list, which is calculated in order with a stack. Each item has a kind (_NUMBER to
+# _EXISTS_NUMBERED), and the number, name or function that the item uses.
 Postfix = Tuple[Tuple[int, Any], ...]
 _NUMBER, _NEGATE, _UNARY, _BINARY, _ON_VACANT, _NUMBERED, _NAMED, _EXISTS, _EXISTS_NUMBERED = range(9)
 
@@ -26,7 +26,7 @@ _NAME = re.compile(r"<([^<>]+)>")
 _FUNCTION = re.compile(r"([A-Z]+)\[")
 _OPERATOR = re.compile(r"\*\*|[-+*/]|MOD|AND|XOR|OR|EQ|NE|GT|GE|LT|LE")
 _DEEPEST = 40  # largest depth of nested brackets, and of nested variables such as ###1
-_LARGEST = 1e300  # a result beyond this limit is an error in the program
+_LARGEST = 1e300  # a result with a larger absolute value is an error in the program
 
 
 class Parser:

@@ -62,7 +62,7 @@ class Flow:
     Attributes
     ----------
     remarks : list of Message
-        Remarks on the current line. The caller of `step` reports and removes them.
+        Remarks on the current line. The caller of `step` reports the remarks and removes them from the list.
     followed : bool
         Whether a condition, loop, jump or call was followed.
     depth : int
@@ -144,7 +144,7 @@ class Flow:
         Parameters
         ----------
         commands : int
-            Number of commands from all program lines before this line.
+            Number of commands of the program lines read so far.
         """
         self._read += 1
         self._idle = self._idle + 1 if commands == self._commands else 0
@@ -269,7 +269,7 @@ class Flow:
         raise Ended(Message("unclosed"))
 
     def _control(self, index: int) -> Control:
-        """Return the control statement of another line."""
+        """Return the control statement of the line with the given index."""
         try:
             line = parse_line(bare(self._lines[index]), fanuc=self._subprograms.fanuc)
         except Unreadable:

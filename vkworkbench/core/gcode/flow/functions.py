@@ -12,12 +12,12 @@ from typing import Any, Callable  # not from collections.abc, whose Callable has
 Unary = Callable[[float], float]
 Binary = Callable[[Any, Any], float]
 
-_EQUAL = 1e-4  # LinuxCNC: EQ is true if two numbers differ by less than this
+_EQUAL = 1e-4  # in LinuxCNC, EQ is true if two numbers differ by less than this limit
 _WHOLE_BITS = 1 << 53  # whole numbers above this limit are not exact in a float
 
 LOGICAL = frozenset(["AND", "OR", "XOR"])
 COMPARISONS = frozenset(["EQ", "NE", "GT", "GE", "LT", "LE"])
-ON_VACANT = frozenset(["EQ", "NE"])  # on a Fanuc control, these operators distinguish an empty variable from 0
+ON_VACANT = frozenset(["EQ", "NE"])  # on a Fanuc control, EQ and NE distinguish an empty variable from 0
 
 
 def _round(value: float) -> float:

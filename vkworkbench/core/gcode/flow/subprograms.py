@@ -17,14 +17,15 @@ from vkworkbench.core.gcode.flow.lines import bare
 
 PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
-_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])  # codes that call program P
-_CALL_LETTERS = frozenset("PpOo:")  # a line without these letters neither calls nor begins a program
+# Codes that call the program whose number is the P word.
+_CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])
+_CALL_LETTERS = frozenset("PpOo:")  # a line without P, O and a colon neither calls nor begins a program
 # Patterns that occur only in programs for LinuxCNC, and patterns that occur only in programs for Fanuc controls. In a
 # text without a LinuxCNC pattern, a program number (O1000) also indicates a Fanuc control.
 _LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)
 _FANUC = re.compile(r"GOTO[\d#\[]|\]THEN|DO\d|END\d|G0*65(?!\d)|#0(?!\d)", re.IGNORECASE)
 _SIGNS = re.compile(r"[#\[*]|SUB|CALL|DO|GO|END|G\s*0*65|REPEAT", re.IGNORECASE)
-_TIMES = 10_000  # P31000 calls program 1000 three times, unless the text contains a program 31000
+_TIMES = 10_000  # M98 P31000 calls program 1000 three times, unless the text contains a program 31000
 
 
 def calls_block(m_code: float, letters: Collection[str]) -> bool:
@@ -97,7 +98,8 @@ class Subprograms:
         if "P" not in words and not calls_block(m_code, words.keys()):
             return None
         number, times, first = whole(words.get("P", 0.0), LARGEST_NUMBER), 1, None
-        if m_code == 98 and "Q" in words:  # Fanuc: run program P from block Q on; without a P word, run this program
+        # On Fanuc controls, M98 Pp Qq runs program p from block q on, and M98 Qq runs this program from block q on.
+        if m_code == 98 and "Q" in words:
             head = self._first.get(number) if "P" in words else self.head(caller)
             first = None if head is None else self._first_block(head, words["Q"])
         elif m_code == 97:
@@ -126,7 +128,7 @@ class Subprograms:
     def end(self, first: int) -> int:
         """Return the index of the line in which the next program begins, or the number of lines if no program follows.
 
-        The subprogram ends before this line, or earlier at an M99.
+        The subprogram ends at an M99, or without an M99, before the returned line.
         """
         after = bisect_right(self.heads, first)
         return self.heads[after] if after < len(self.heads) else len(self._lines)

@@ -14,7 +14,7 @@ from vkworkbench.language import Message
 # Message with the reason is stored instead.
 Value = Union[float, None, Message]
 
-ALARM = 3000  # Fanuc: an assignment to this variable raises an alarm
+ALARM = 3000  # on Fanuc controls, an assignment to #3000 raises an alarm
 _LARGEST_NUMBER = 99_999  # variables with larger numbers do not exist, which limits the memory for variables
 _WHOLE = 1e-4  # LinuxCNC: largest difference between a variable's number and a whole number
 _RESULTS = frozenset(["_VALUE", "_VALUE_RETURNED"])  # LinuxCNC: the result of a subprogram

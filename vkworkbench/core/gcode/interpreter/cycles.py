@@ -14,7 +14,7 @@ _FINE_BORING = 760
 
 
 def _fine_boring(machine: Machine, line: Line) -> None:
-    """Process G76: fine boring, which is read as G86. The threading cycle G76 of lathes has other words."""
+    """Process G76: fine boring, which is read as G86. A G76 with the words of a lathe's threading cycle is not read."""
     if "R" in line.letters and ("Y" in line.letters or "P" not in line.letters):
         line.motion = codes.BORING
     else:

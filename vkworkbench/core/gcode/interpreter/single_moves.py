@@ -78,7 +78,10 @@ def _spline(machine: Machine, line: Line) -> None:
 
 
 def _probe_along(machine: Machine, line: Line, move: dict[str, float]) -> None:
-    """Add a probing move as a rapid. Then the tool's position is unknown, because probing stops at the part."""
+    """Add a probing move as a rapid.
+
+    After a probing move, the tool's position is unknown, because the move stops at the part.
+    """
     machine.write(codes.RAPID, move)
     machine.place.lose(set("XYZ") & line.letters)
 

@@ -9,10 +9,10 @@ from vkworkbench.core.gcode.interpreter.state.modes import GROUPS
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_LATHE_CYCLE = frozenset("PQUWR")  # in a line with one of these words, G70 to G72 are turning cycles, not units
+_LATHE_CYCLE = frozenset("PQUWR")  # with a P, Q, U, W or R word, G70 to G72 are turning cycles, not units
 _MOTIONS = frozenset(("G", code / 10) for code in codes.MOTIONS)
 _OF_RS274 = (200, 210)
-_HOLE_PATTERN = frozenset("IJKL")  # in a line with one of these words, G70 to G72 are patterns of holes (Haas, Yasnac)
+_HOLE_PATTERN = frozenset("IJKL")  # with an I, J, K or L word, G70 to G72 are patterns of holes (Haas, Yasnac)
 
 
 def _state(machine: Machine, line: Line) -> None:

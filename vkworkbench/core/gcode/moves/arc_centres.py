@@ -73,6 +73,7 @@ def _repeats(offset: np.ndarray) -> bool:
 
     `offset` contains the centre words of the circles, (m, 2) mm.
 
-    Equal centre words are offsets. If they were coordinates, both circles would have the same centre, which is rare.
+    Equal centre words are probably offsets, because coordinates would mean two circles around one centre, which is
+    rare.
     """
     return bool((np.diff(offset, axis=0) == 0).all(axis=1).any())

@@ -29,8 +29,8 @@ _ZERO_LENGTH = 1e-9  # mm; a trajectory is left out if its length along each axi
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
     """Convert the commands of one operation into straight trajectories.
 
-    The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of
-    their starting point and of their point of destination" (section 2.1). This function computes such trajectories.
+    The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of their
+    starting point and of their point of destination" (section 2.1). `linearize` computes the trajectories in this form.
 
     Parameters
     ----------

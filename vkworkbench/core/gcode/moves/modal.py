@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Determine the modal state at every command: motion, position, plane, modes and feed rate.
 
-The value of a modal state comes from the last command that sets the state. A running maximum of the commands' indices
-finds this command.
+The value of a modal state comes from the last command that sets the state. A running maximum over the indices of the
+commands that set the state finds the last of these commands.
 """
 
 from __future__ import annotations
@@ -224,9 +224,9 @@ def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
 def _coordinate(values: np.ndarray, relative: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the position of one axis after every command, (n,) mm, and whether the position is known, (n,) bool.
 
-    The position before the axis's first word is not known. If this word is absolute, its value is used as the unknown
-    position. Relative words before the first absolute word are added up from 0. The position of an axis without words
-    is 0.
+    The position before the axis's first word is not known. If the axis's first word is absolute, its value also
+    replaces the unknown position before the word. Relative words before the first absolute word are added up from 0.
+    The position of an axis without words is 0.
     """
     given = ~np.isnan(values)
     known = _last(given) >= 0

@@ -33,7 +33,8 @@ class Program:
     inverse_time : dict of int to float
         For each command under G93 (inverse time), the reciprocal of its duration, 1/s.
     inches : bool
-        Whether the program's first unit is inches (G20). Lengths in comments have the same unit.
+        Whether the program's first unit is inches (G20). Lengths in the program's comments are in the program's first
+        unit.
     unit_told : bool
         Whether the program contains a unit word (G20, G21); without a unit word, the program is read in mm.
     other : Message or None

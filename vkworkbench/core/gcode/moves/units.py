@@ -64,8 +64,8 @@ def looks_like_inches(
 def looks_like_increments(toolpath: Toolpath, *, inches: bool) -> bool:
     """Return whether a program's lengths are probably increments, because its words have no decimal points.
 
-    Old controls read lengths without a decimal point as multiples of 0.001 mm or 0.0001 inches. New controls read such
-    lengths in mm or inches.
+    Old controls read lengths without a decimal point as multiples of 0.001 mm or 0.0001 inches. New controls read
+    lengths without a decimal point in mm or inches.
 
     Parameters
     ----------

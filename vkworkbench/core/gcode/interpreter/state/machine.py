@@ -63,8 +63,8 @@ class Machine:
     moved : bool
         Whether any line has moved the tool.
     away : list of (int, Message)
-        Lines of moves to machine positions since the last other move, with messages. These messages are reported only
-        if another move follows in the program.
+        Lines of moves to machine positions since the last other move, with messages. The messages about machine
+        positions are reported only if another move follows in the program.
     ended : bool
         Whether the lines read so far contain M2 or M30.
     call : float or None
@@ -165,8 +165,8 @@ class Machine:
     def moves_plainly(self) -> bool:
         """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
 
-        While this is true, `plain_lines` reads many lines at once, without the handlers of this package. If another
-        state of the machine changes the commands of moves, or leads to messages, this property must be False.
+        While this property is True, `plain_lines` reads many lines at once, without the handlers of this package. If
+        another state of the machine changes the commands of moves, or leads to messages, this property must be False.
         """
         return (
             self.moved

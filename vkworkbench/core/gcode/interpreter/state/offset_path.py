@@ -129,7 +129,7 @@ class Corner(NamedTuple):
     command, line : int
         Index of the command whose move ends at the corner, and line of the program.
     start, end : complex
-        The end points of this move; `end` is the corner.
+        The end points of the move before the corner; `end` is the corner.
     """
 
     letter: str

@@ -47,7 +47,7 @@ class Origins:
         return self._origins.get(self.system, {}).get(letter, 0.0) + self.shift.get(letter, 0.0)
 
     def begin(self) -> None:
-        """Set the origin of the toolpath to the work offset in force. This method must be called at the first move."""
+        """Set the origin of the toolpath to the work offset in force. Call `begin` at the first move of the program."""
         self._origins[self.system] = dict.fromkeys("XYZ", 0.0)
         self._zero = dict(self._machine.get(self.system, {}))
 
