@@ -2,7 +2,8 @@
 """Recognise which strategy a toolpath follows.
 
 The input is a `Toolpath` and, if known, the tool's diameter. The output is a `Recognition`: the strategy with its
-confidence, its reason, the numbers that support the strategy, and the spans of the parts.
+confidence, its reason, the numbers that support the strategy, and, if the toolpath contains several strategies, its
+parts with one strategy each.
 """
 
 from vkworkbench.core.recognition.patterns.turned import is_turned

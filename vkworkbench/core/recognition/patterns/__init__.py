@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the patterns of one section: the pieces of the section, and the relations between the pieces."""
+"""Find the patterns of one operation: loops, zigzags, rows and strokes, and the relations between them."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find concentric arcs: circles that the boundary cuts open, or rows that are bent into arcs."""
+"""Find concentric arcs, such as circles interrupted at the boundary of the part, or rows bent into arcs."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ class ConcentricArcs:
     spiral : float
         Length of the arcs whose radius changes steadily, mm.
     step : float
-        Median distance between consecutive arcs, weighted by length, mm.
+        Median distance between arcs that are cut one after the other, weighted by length, mm.
     even : float
-        Share of the steps between arcs that are close to the usual step.
+        Share of the distances between consecutive arcs that are close to the median distance.
     """
 
     count: int
@@ -54,7 +54,7 @@ def find_arcs(moves: Areas, pieces: Pieces, index: np.ndarray) -> ConcentricArcs
     moves : Areas
     pieces : Pieces
     index : (k,) int
-        Indices of the pieces among which to find arcs.
+        Indices of the pieces (strokes of the toolpath) among which to find arcs.
 
     Returns
     -------
@@ -102,7 +102,7 @@ def _rays(
     The rays are returned as x, y and length, (k,) mm each. Return None if the moves have no common centre.
     """
     weight = 1 / length
-    for _ in range(3):  # repeat without links and pieces of the boundary, which have other centres
+    for _ in range(3):  # repeat without links and moves along the boundary, which are not on circles around the centre
         xx, xy, yy = dot(weight * dx, dx), dot(weight * dx, dy), dot(weight * dy, dy)
         if xx * yy - xy * xy < ARCS.STRAIGHT_ROWS * (xx + yy) ** 2:
             return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find how the tool enters the material before the pattern of an area, and remove the entries."""
+"""Find how the tool enters the material at the start of each monotonous area, and remove these entry moves."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from vkworkbench.core.paper import TURN, Areas
 from vkworkbench.core.recognition.patterns.spurs import some_moves
 from vkworkbench.core.recognition.thresholds import ENTRY, MAJORITY, ROUNDING
 
-LEVEL = 1e-6  # mm; a move is level if its height changes by at most this value
+LEVEL = 1e-6  # mm; a move is horizontal if its height changes by at most this value
 ENTRIES = ("plunge", "ramp", "zigzag ramp", "helix")
 
 
 def find_entry(moves: Areas) -> str | None:
-    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the pattern itself descends.
+    """Return the kind of entry that descends most of the depth, one of `ENTRIES`; None if the cut itself descends.
 
-    An entry is the descent at the start of an area, before the first level move. Some descents first follow a level
-    move outwards and then return along its line. A descent that winds is a helix, a descent that goes back and forth is
-    a zigzag ramp, and any other descent is a ramp. An area that begins with another level move is entered by a plunge.
-    If most of the length after the descents is not level, the descent is the operation and not an entry, as in a
-    helical bore or on a surface.
+    An entry is the descent at the start of a monotonous area, before the first horizontal move. Some entries begin with
+    a horizontal move, and then descend back along the line of this move. A descent that winds is a helix, a descent
+    that goes back and forth is a zigzag ramp, and any other descent is a ramp. An area that begins with a horizontal
+    move is entered by a plunge, unless the descent returns along the line of this move. If most of the length after the
+    descents is not horizontal, the descent is the operation and not an entry, as in a helical bore or on a surface.
 
     Parameters
     ----------
@@ -51,11 +51,11 @@ def find_entry(moves: Areas) -> str | None:
 
 
 def without_entries(moves: Areas) -> tuple[Areas, float]:
-    """Remove lead-ins and lead-outs: descents at the start and climbs at the end of areas.
+    """Remove lead-ins and lead-outs: descents at the start and climbs at the end of monotonous areas.
 
-    A lead is removed only if most of the remaining area is level and extends well beyond the lead's bounding box. A
-    helix that ends with one flat turn does not extend beyond itself, so the helix is the operation. A ramp along a
-    contour is part of the contour.
+    A lead is removed only if most of the remaining area is horizontal and extends well beyond the lead's bounding box.
+    A helix that ends with one flat turn is the operation and not a lead, because the flat turn does not extend beyond
+    the helix. A ramp along a contour is part of the contour and not a lead.
 
     Parameters
     ----------
@@ -65,9 +65,9 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
     Returns
     -------
     Areas
-        The pattern. Every area keeps at least one move.
+        The moves without the removed lead-ins and lead-outs. Every area keeps at least one move.
     float
-        Share of the length in helical lead-ins.
+        Share of the toolpath's length in helical lead-ins.
     """
     if not moves.climbs:
         return moves, 0.0
@@ -98,7 +98,7 @@ def without_entries(moves: Areas) -> tuple[Areas, float]:
 
 
 def share_rising(moves: Areas) -> float:
-    """Return the share of the length along which areas climb to their ends, as V-carving does in corners.
+    """Return the share of the length in climbs at the ends of monotonous areas, as V-carving climbs in corners.
 
     Parameters
     ----------
@@ -114,8 +114,8 @@ def share_rising(moves: Areas) -> float:
 def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
     """Return the first move of the descent at the start of each area, and the move after the descent, (a,) each.
 
-    Both returned moves are the area's first move if the area does not begin with a descent. Some ramps begin with a
-    level move outwards and descend back along the same line.
+    Both returned moves are the area's first move if the area does not begin with a descent. Some descents begin with a
+    horizontal move, and then return along the line of this move.
     """
     x, y, dx, dy, length = moves.x, moves.y, moves.dx, moves.dy, moves.length
     begin = _first(moves.start, moves.end, np.abs(moves.dz) >= LEVEL)
@@ -129,21 +129,24 @@ def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:
-    """Return the first chosen move in each stretch start[i] .. end[i] - 1, or end[i] if no move is chosen, (a,)."""
+    """Return the first chosen move from start[i] to end[i] - 1, or end[i] if no move is chosen, (a,) int."""
     at = np.append(np.flatnonzero(which), len(which))
     first: np.ndarray = np.minimum(at[np.searchsorted(at, start)], end)
     return first
 
 
 def _way_out(moves: Areas) -> np.ndarray:
-    """Return the number of climbing moves at the end of each area, (a,)."""
+    """Return how many moves climb at the end of each monotonous area, (a,)."""
     at = np.append(-1, np.flatnonzero(moves.dz <= LEVEL))
     climbing: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
     return climbing
 
 
 def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return the boxes of the moves first[i] .. end[i] - 1: -lowest x, -lowest y, highest x, highest y, (k, 4) mm."""
+    """Return the bounding boxes of the moves from first[i] to end[i] - 1, (k, 4) mm.
+
+    The columns are the negative lowest x and y, and the highest x and y.
+    """
     between = np.column_stack([first, end]).ravel()
     reach = []
     for sign in (-1, 1):

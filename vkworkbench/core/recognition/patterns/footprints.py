@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Group pieces by footprint. Pieces with the same footprint cover the same ground, seen from above, at any depth."""
+"""Group pieces of the toolpath by their footprints, which are their bounding boxes and lengths in the plane.
+
+Two pieces with equal footprints cover the same ground, seen from above, at any depth.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +33,8 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     groups : int
         Number of different footprints.
     """
-    # A quarter of the length is the side of a square with this perimeter, so the same grid suits boxes and lengths.
+    # The box and a quarter of the length are rounded to one grid. A quarter of a square's perimeter is as long as the
+    # square's side, so the rounding suits both.
     measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
     key = np.floor(measures / ROUNDING.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)
@@ -39,7 +43,7 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
 
 
 def come_again(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
-    """Return which pieces are repeated at another depth, and the number of different footprints."""
+    """Return whether each piece is repeated at another depth, and the number of different footprints."""
     if not len(index):
         return np.zeros(0, bool), 0
     group, distinct = footprints(pieces, index)
@@ -51,7 +55,7 @@ def come_again(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
 
 
 def count_depths(z: np.ndarray) -> int:
-    """Count the different heights in z (k,), mm."""
+    """Count the different heights in the array z (k,), mm."""
     if not len(z):
         return 0
     if np.ptp(z) <= ROUNDING.HEIGHT:
@@ -61,7 +65,7 @@ def count_depths(z: np.ndarray) -> int:
 
 
 def number_depths(z: np.ndarray) -> np.ndarray:
-    """Return for each height in z (k,), mm, the number of its depth, counted from the lowest depth, (k,) int."""
+    """Return the index of the depth for each height in the array z (k,), mm, where 0 is the lowest depth, (k,) int."""
     order = np.argsort(z)
     number = np.zeros(len(z), np.int64)
     number[order[1:]] = np.cumsum(z[order][1:] - z[order][:-1] > ROUNDING.HEIGHT)

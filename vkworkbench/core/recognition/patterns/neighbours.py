@@ -87,7 +87,7 @@ def find_neighbours(moves: Areas, pieces: Pieces, index: np.ndarray, tool: float
     beside &= step < NEIGHBOURS.MAX_DISTANCE * usual
     total = length[beside].sum()
     even = beside & (spread < NEIGHBOURS.EVEN * step)
-    # The first stroke in a series of neighbouring strokes has a neighbour only after it, and is included.
+    # The first stroke in a series of neighbouring strokes is included, although only the next stroke is its neighbour.
     first = np.append(~beside[:-1] & beside[1:], False)
     return Neighbours(
         count=int((beside | first).sum()),
@@ -109,7 +109,7 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
 
 
 def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
-    """Return percentiles of the values (n, k) that `of` (n, k) selects in each row of the array, (p, n).
+    """Return percentiles, (p, n), in each row of the array of values (n, k); `of` (n, k) selects the values that count.
 
     At least one value in each row is selected. numpy's `nanpercentile` processes the rows of an array one by one. This
     function is faster, because it processes all rows with the same number of selected values at once.

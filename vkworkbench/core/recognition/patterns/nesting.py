@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure how far rings lie inside one another, and the largest distance between the rings of one pocket."""
+"""Measure the distances between rings inside one another, and find the largest distance in one pocket."""
 
 from __future__ import annotations
 
@@ -26,12 +26,14 @@ class Shapes(NamedTuple):
     sense : (k,) float
         +1 for a counter-clockwise ring, -1 for a clockwise one.
     wavy : (k,) bool
-        Whether the ring is possibly a pass of a lattice. The boxes of such passes do not show their distance.
+        Whether the ring is possibly a pass of a lattice (a pattern that bounces from wall to wall). The bounding boxes
+        of two passes of a lattice do not show the distance between the passes.
     slack : (k,) float
-        Tolerance factor: 1 for closed loops; 2 for turns of windings, which are open and have approximate areas.
+        Tolerance factor: 1 for closed loops; 2 for turns of spirals and other windings, which are open and have
+        approximate areas.
     turn, rest : (k,) bool
-        Whether the ring is a full level turn of a winding; whether it is the rest of a winding after its last full
-        turn.
+        Whether the ring is a full horizontal turn of a winding (e.g. of a spiral); whether the ring is the rest of a
+        winding after its last full turn.
     """
 
     sides: np.ndarray
@@ -66,14 +68,17 @@ class Shift(NamedTuple):
 
 
 class Inward(Dict[int, Shift]):
-    """Shifts between rings, by lag. Each shift is computed at its first use.
+    """How far each ring lies inside an earlier ring; the key is the `lag`, e.g. 1 for the previous ring.
+
+    Each shift is computed at its first use.
 
     The distance between two parallel curves is 2 dA / (P1 + P2), where dA is the difference of their areas and P1 and
-    P2 are their lengths (Steiner's formula). The formula is valid in any orientation. All four sides of an offset's box
-    are shifted inwards. The smallest shift is about the distance, or more if a sharp corner touches the box. If the
-    smallest shift is much less or much more than the distance, an island covers a part of the area. In a pocket that is
-    open at a straight side, all offsets share this side, and at most one adjacent side. Shared sides are not shifted,
-    so that only the other sides show the distance.
+    P2 are their lengths (Steiner's formula). The formula is valid in any orientation. An inner offset's bounding box is
+    shifted inwards at all four sides. The smallest of the four shifts is about the distance between the curves, or more
+    if a sharp corner touches the box. If the smallest shift is much less or much more than the distance by Steiner's
+    formula, a part of the area between the two curves is an island. If a pocket is open at a straight side, the boxes
+    of all offsets share this side, and at most one adjacent side. The shared sides of the boxes are not shifted, so
+    that only the other sides show the distance.
 
     Parameters
     ----------
@@ -99,7 +104,8 @@ class Inward(Dict[int, Shift]):
         step = 2 * np.abs(self.shapes.enclosed[lag:] - self.shapes.enclosed[:-lag]) / around
         fits = near > NESTS.SIDE_AT_LEAST * step / loose - ROUNDING.PLACE
         fits &= near < NESTS.SIDE_AT_MOST * step * loose + ROUNDING.PLACE
-        # An offset that also runs around an island is longer than the next outer ring, but has four equal shifts.
+        # An offset that also runs around an island is longer than the next outer ring, but all four sides of its box
+        # are shifted by the same distance.
         longer = (length[lag:] - length[:-lag]) * mean > 0
         alike = (high - low <= NESTS.EQUAL_SIDES * np.abs(mean)) & longer & ~(wavy[lag:] | wavy[:-lag])
         step = np.where(alike & ~fits, near, np.minimum(step, near))
@@ -107,9 +113,9 @@ class Inward(Dict[int, Shift]):
         return found
 
     def is_step(self, lag: int) -> np.ndarray:
-        """Return whether the distance to the ring `lag` rings later is a step between offsets, (k - lag,) bool.
+        """Return whether the distance to the ring `lag` rings later is a stepover between offsets, (k - lag,) bool.
 
-        A step is larger than rounding, and small compared with the rings.
+        A stepover is larger than rounding errors, and small compared with the rings.
         """
         size, step = self.shapes.size, self[lag].step
         found: np.ndarray = (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
@@ -127,7 +133,7 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
     Parameters
     ----------
     moved, sides : (4, k) float
-        Shift of each side, and sum of both boxes' sides, mm.
+        Shift of each side from one box to the other box, and sum of the two boxes' coordinates of this side, mm.
 
     Returns
     -------
@@ -152,14 +158,15 @@ def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarr
 
 
 def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
-    """Return the largest distance between neighbouring rings in one nest, mm.
+    """Return the largest distance between neighbouring rings of one pocket (one nest), mm.
 
-    If the tool is known, the largest distance is slightly more than the tool's diameter. Rings at a larger distance
+    If the tool's diameter is known, the largest distance is slightly more than the diameter. Rings at a larger distance
     leave uncut ground between them and are separate contours. If the tool is unknown, the largest distance is twice the
-    usual step. A share of the largest ring's size also limits the distance, unless three rings are nested with equal
-    steps or most rings are linked to the next ring without a lift. This limit keeps the inner and the outer contour of
-    a washer separate, even if both are repeated at every depth. A link between two contours of a part would cut into
-    the part.
+    usual distance between rings. If the tool is unknown, the distance must also be below a share of the largest ring's
+    size, unless three rings are nested at equal distances or most rings are linked to the next ring without a lift.
+    Because of this second limit, the inner and the outer contour of a washer are separate, even if both are repeated at
+    every depth. Linked rings belong to one pocket, because a link between two contours of a part would cut into the
+    part.
 
     Parameters
     ----------
@@ -174,7 +181,8 @@ def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
     steps, chained = _steps_in_nests(inward)
     if not len(steps):
         return 0.0
-    # Use the lower quartile: if rings around islands are cut between boundary rings, only the smaller steps are right.
+    # Use the lower quartile of the distances between rings: if rings around islands are cut between boundary rings,
+    # only the smaller distances are the stepover.
     usual, largest = middle(steps, 4), float(inward.shapes.size.max())
     regular = np.count_nonzero(np.abs(steps - usual) < NESTS.SIMILAR_STEP * usual) / len(steps)
     is_nest = chained and regular >= MAJORITY.SHARE and usual <= NESTS.TOO_LARGE * largest
@@ -184,17 +192,18 @@ def reach(inward: Inward, tool: float, area: np.ndarray) -> float:
 
 
 def _steps_in_nests(inward: Inward) -> tuple[np.ndarray, bool]:
-    """Return the steps between rings of one depth, (s,) mm, and whether three rings are nested with equal steps."""
+    """Return the distances between nested rings of one depth, (s,) mm, and whether three rings have equal distances."""
     flat, found, chained = inward.shapes.flat, [], False
     for lag in range(1, min(NESTS.NEXT, len(flat) - 1) + 1):
         step, even = inward[lag].step, inward.is_step(lag)
         signed = np.copysign(step, inward[lag].mean)
         chain = even[lag:] & even[:-lag] & (np.abs(signed[lag:] - signed[:-lag]) < NESTS.SIMILAR_STEP * step[lag:])
-        # Ignore rings at different depths, because a slightly sloped wall shifts a ring by less than a step.
+        # Compare only rings of one depth, because a slightly sloped wall shifts a ring by less than the stepover.
         true = even & ((inward.drop(lag) < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         chained = bool(chain.any())
         if chained:
-            # The next ring of the nest is `lag` rings later. Ignore steps from a lead-in or to a wall, which differ.
+            # The next offset is always `lag` rings later. Ignore the distances to a lead-in or to a wall, which are not
+            # the stepover.
             of_chain = np.zeros(len(step), bool)
             of_chain[lag:] = chain
             of_chain[:-lag] |= chain
@@ -214,7 +223,7 @@ def _are_linked(inward: Inward, area: np.ndarray) -> bool:
 
 
 def next_steps(inward: Inward) -> tuple[np.ndarray, np.ndarray]:
-    """Return the steps from each ring to the next ring in the plane, and in height, (s,) mm each."""
+    """Return the horizontal and the vertical distance from each ring to the ring that is cut next, (s,) mm each."""
     if len(inward.shapes.z) < 2:
         return np.zeros(0), np.zeros(0)
     even = inward.is_step(1)
@@ -222,13 +231,13 @@ def next_steps(inward: Inward) -> tuple[np.ndarray, np.ndarray]:
 
 
 def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
-    """Compare the regularity of the steps in the plane and in depth.
+    """Compare how regular the rings' distances are in the plane and in height.
 
     Returns
     -------
     float
-        Relative spread of the steps in the plane, divided by the relative spread of the steps in depth. The ratio is
-        below 1 if the steps in the plane are more even, and 0 for rings of a single depth.
+        Relative spread of the horizontal distances, divided by the relative spread of the vertical distances. The ratio
+        is below 1 if the horizontal distances are more regular, and 0 for rings of a single depth.
     """
     if len(steps) < 3 or drops.max() < ROUNDING.HEIGHT:
         return 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Cut areas into pieces: loops, turns of windings, zigzags and open strokes."""
+"""Divide each monotonous area into pieces: loops, single turns of spirals and helices, zigzags and open strokes."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ LOOP, WINDING, ZIGZAG, STROKE = range(4)
 
 @dataclass(frozen=True)
 class Pieces:
-    """Measures of the k pieces of the areas.
+    """Measures of the k pieces of the monotonous areas: loops, turns of windings, zigzags and strokes.
 
     Attributes
     ----------
     start, end : (k,) int
-        The moves of piece i are start[i] .. end[i] - 1.
+        The moves of piece i are the moves from start[i] to end[i] - 1.
     kind : (k,) int
-        LOOP: closed, with a net turn of 2 pi. WINDING: one turn of a stretch of several full turns. ZIGZAG: back and
-        forth, with half-turns of alternating sign between its passes. STROKE: any other piece.
+        LOOP: closed, with a net turn of 2 pi. WINDING: one turn of a stretch of several full turns, such as a spiral.
+        ZIGZAG: back and forth, with half-turns of alternating sign between its passes. STROKE: any other piece.
     area : (k,) int
         Monotonous area of each piece.
     length : (k,) float
@@ -43,7 +43,8 @@ class Pieces:
     passes : (k,) int
         Number of passes along the axis of each piece, in either direction.
     wavy : (k,) bool
-        Whether a loop or winding has alternating half-turns, like a concave contour or a zigzag that ends at its start.
+        Whether a loop or winding has alternating half-turns, like a concave contour or a zigzag whose end is at its
+        start.
     """
 
     start: np.ndarray
@@ -73,7 +74,7 @@ class Pieces:
 
 
 def cut_pieces(moves: Areas) -> Pieces:
-    """Cut the areas into pieces and measure them.
+    """Divide the monotonous areas into pieces and measure the pieces.
 
     Parameters
     ----------
@@ -93,11 +94,11 @@ def cut_pieces(moves: Areas) -> Pieces:
     parts = _Stretches(moves, start)
     net, closed = parts.net()
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
-    # Only two kinds of pieces can go back and forth: open pieces of at least three moves, and loops in which at least a
-    # full turn cancels out.
+    # Only two kinds of stretches can go back and forth: open stretches of at least three moves, and loops whose left
+    # and right turns cancel out by at least a full turn.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
-        able[:] = False  # pieces of so little length are links between loops
+        able[:] = False  # stretches with such a small total length are links between loops
     alternating, constant, passes, parallel = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)
@@ -120,23 +121,23 @@ def cut_pieces(moves: Areas) -> Pieces:
 
 
 def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
-    """Return the exact reversals between a bent pass and the same pass backwards, as in a contour repeated on a ramp.
+    """Return the moves at which the tool reverses and follows a bent pass backwards, as on a ramp along a contour.
 
-    A plunge between two passes ends the area, so that only passes without a plunge are compared. A straight pass back
-    and forth stays one piece, because it can be an entry or a row of a zigzag.
+    Only passes without a plunge between them are compared, because a plunge ends the area. A straight pass and its
+    reversal stay one piece, because they can be an entry or a row of a zigzag.
 
     Parameters
     ----------
     moves : Areas
     cut : (m + 1,) bool
-        Moves before which a piece begins for other reasons.
+        Whether a loop or an area begins or ends before the move, so that a new piece begins.
     """
     if not len(moves.reversals):
         return moves.reversals
     begins = cut.copy()
     begins[moves.reversals] = begins[-1] = True
     back: np.ndarray = moves.reversals[~cut[moves.reversals]]
-    back = back[~begins[back + 1]]  # a pass of one move is always straight
+    back = back[~begins[back + 1]]  # a pass of one move is always straight, and is not a bent pass
     if not len(back):
         return back
     start = np.flatnonzero(begins[:-1])
@@ -148,7 +149,7 @@ def _comes_back(moves: Areas, cut: np.ndarray) -> np.ndarray:
 
 
 def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Return the largest distance of the moves start[i] .. end[i] - 1 from a line, (k,) mm.
+    """Return the largest distance of the moves from start[i] to end[i] - 1 from a line, (k,) mm.
 
     The line runs through the first point in the direction of the longest move.
     """
@@ -219,7 +220,7 @@ class _Stretches:
     def measure(
         self, kind: np.ndarray, area: np.ndarray, net: np.ndarray, passes: np.ndarray, wavy: np.ndarray
     ) -> Pieces:
-        """Return the stretches as pieces with all measures."""
+        """Return the `Pieces` with the measures of all stretches."""
         moves, start = self.moves, self.start
         low, high = np.minimum, np.maximum
         z = last_z = moves.z[self.end - 1]
@@ -250,7 +251,7 @@ class _Stretches:
 
 
 class HalfTurns(NamedTuple):
-    """The half-turns between the passes of k stretches; see `half_turns`.
+    """The half-turns (reversals of direction) between the passes of k stretches; see `half_turns`.
 
     Attributes
     ----------
@@ -272,11 +273,11 @@ class HalfTurns(NamedTuple):
 def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
     """Measure the half-turns between passes, whose signs distinguish back-and-forth patterns from contours.
 
-    A pass is a run of moves in one direction along the axis of its stretch. Between two opposite passes phi changes by
-    pi or -pi. The signs of these half-turns alternate in a zigzag and stay the same around a contour (paper, section
-    3.2). Unlike the paper's condition -pi <= phi <= pi, the signs do not depend on the first trajectory, and they are
-    also valid with islands and concave boundaries. An exact reversal, after which the tool returns on the same line,
-    has no sign and counts as alternating.
+    A pass is a run of moves in one direction along the axis of its stretch. Between two opposite passes, the sum of the
+    turns (phi) changes by pi or -pi. The signs of these half-turns alternate in a zigzag and stay the same around a
+    contour (paper, section 3.2). The signs of the half-turns do not depend on the first trajectory, unlike the paper's
+    condition -pi <= phi <= pi, and are also valid with islands and concave boundaries. An exact reversal, after which
+    the tool returns on the same line, has no sign and counts as alternating.
 
     Parameters
     ----------
@@ -291,7 +292,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
         return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
-    chosen = None  # None selects all moves
+    chosen = None  # None stands for all moves
     if len(stretch) < k:
         chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]
@@ -324,7 +325,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
     phi = moves.phi.take(first if chosen is None else chosen.take(first))
     half_turn = np.rint((phi[1:] - phi[:-1]) * (1 / np.pi))
     same = of[1:] == of[:-1]
-    between = same[1:] & same[:-1]  # passes with another pass of their stretch before and after
+    between = same[1:] & same[:-1]  # whether the pass is neither the first nor the last pass of its stretch
     alternates = half_turn[1:] * half_turn[:-1] <= 0
     of, passed = of[1:-1], passed[1:-1]
     return HalfTurns(

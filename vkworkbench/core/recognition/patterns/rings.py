@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find relations between the rings of an operation. Rings are closed loops and turns of windings."""
+"""Find relations between the rings of an operation. Rings are closed loops and the turns of spirals and helices."""
 
 from __future__ import annotations
 
@@ -38,30 +38,33 @@ class Rings:
     repeated : array
         Whether the ring is repeated at another depth.
     stacked : array
-        Whether the ring is repeated at another depth by one of the next or previous three rings, as in a helix.
+        Whether the ring is repeated at another depth by one of the three rings before or after it in the order of
+        cutting, as in a helix.
     moved : array
         Whether a ring of similar size is shifted and overlaps the ring, as in trochoids.
     crossing : array
         Whether a ring of another shape has the same box, like the passes of a lattice from wall to wall.
     alone : array
-        Whether none of the relations nested, deeper, repeated, moved and crossing applies to the ring.
+        Whether the ring has none of the relations nested, deeper, repeated, moved and crossing.
     winding, round, sloped : array
-        Whether the ring is a turn of a winding; whether it is a circle; whether its height changes steadily.
+        Whether the ring is a turn of a winding; whether it is a circle; whether its height changes steadily along the
+        ring.
     back : (k,) float
         Turning to the left and to the right that cancels out, rad; 0 for a convex ring.
     step : float
-        Median distance from a ring to the next nested ring, weighted by enclosed area, mm; NaN without nested rings.
+        Median distance from a ring to the next ring inside, weighted by enclosed area, mm; NaN without nested rings.
     growing : float
-        Share of the steps between nested rings that go outwards; NaN without nested rings.
+        Share of the pairs of nested rings whose later ring is outside; NaN without nested rings.
     equidistant : bool
-        Whether the level turns of windings, at least three, are evenly spaced.
+        Whether the horizontal turns of spirals are evenly spaced; False for fewer than three turns.
     distinct, depths : int
         Number of different footprints of the rings, and number of depths.
     depth_range : float
         Height difference between the lowest and the highest ring, mm.
     evenness : float
-        Relative spread of the steps in the plane, divided by the relative spread of the steps in depth. On a dome,
-        evenly spaced circles have even steps in the plane, and waterlines have even steps in depth.
+        Relative spread of the rings' horizontal distances, divided by the relative spread of their vertical distances.
+        On a dome, evenly spaced circles have regular horizontal distances, and waterlines have regular vertical
+        distances.
     """
 
     index: np.ndarray
@@ -111,12 +114,12 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     again, distinct = come_again(pieces, index) if depths > 1 else (np.zeros(k, bool), k)
     flags["stacked"] = flags["repeated"].copy()
     flags["repeated"] |= again
-    # If few footprints are repeated at most depths, the rings are contours of one part and not a waterline.
+    # If the same few footprints are cut at most depths, the rings are contours of one part and not a waterline.
     if distinct * depths < WATERLINES.DEPTHS * k:
         flags["deeper"] &= ~again
     inside = np.isfinite(inner)
-    # Weight the steps by area, because large loops show the stepover best. All turns of windings have the same weight,
-    # because their areas are approximate.
+    # Weight the distances between rings by enclosed area, because large loops show the stepover best. All turns of
+    # windings have the same weight, because their areas are approximate.
     weight = np.where(shapes.slack > 1, shapes.enclosed.mean(), shapes.enclosed)[inside] if k else shapes.enclosed
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
     return Rings(
@@ -148,9 +151,9 @@ class _Compared(NamedTuple):
     inner : (k,) float
         Distance to the next ring inside, mm; infinite if no ring is inside.
     shifts : (s,) float
-        Mean shift of the sides from each ring to a nested one that is cut later, mm.
+        Mean shift of the box's sides from each ring to a nested ring that is cut later, mm.
     turns : (t,) float
-        Steps between consecutive full level turns of a winding, mm.
+        Distances between consecutive full horizontal turns of a winding, mm.
     """
 
     flags: dict[str, np.ndarray]
@@ -160,7 +163,7 @@ class _Compared(NamedTuple):
 
 
 def _compare_rings(inward: Inward, limit: float) -> _Compared:
-    """Compare every ring with the next three; `limit` is the largest distance of rings in one nest, mm."""
+    """Compare every ring with the next three rings; `limit` is the largest distance of nested rings, mm."""
     shapes, k = inward.shapes, len(inward.shapes.z)
     flags = {name: np.zeros(k, bool) for name in ("opposite", *RELATIONS)}
     turns, shifts, inner = np.zeros(0), [np.zeros(0)], np.full(k, np.inf)
@@ -176,12 +179,13 @@ def _compare_rings(inward: Inward, limit: float) -> _Compared:
         if lag == 1 and shapes.turn.any():
             turns = step[nested & shapes.turn[one] & shapes.turn[two]]
         shifts.append(mean[nested])
-        # The minimum ignores the ring after next, which is two steps away. The slices overlap, so update one at a time.
+        # The minimum excludes the distance to the ring after next, which is twice the stepover. Update the two slices
+        # of `inner` one after the other, because the slices overlap.
         np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
         np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
         if flags["nested"].all():
             steps = inner[np.isfinite(inner)]
-            if steps.max() < 2 * steps.min():  # no third ring fits between two rings
+            if steps.max() < 2 * steps.min():  # the distances are so even that no ring is missing between two rings
                 break
     return _Compared(flags, inner, np.concatenate(shifts), turns)
 
@@ -222,7 +226,7 @@ class Pairs:
         self.shift = inward[lag]
 
     def both(self, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return values of rings, (k,), for the first and for the second ring of each pair."""
+        """Return the values (k,) of the first ring and of the second ring in each pair."""
         return values[: -self.lag], values[self.lag :]
 
     @cached_property
@@ -246,7 +250,7 @@ class Pairs:
 
     @cached_property
     def beside(self) -> np.ndarray:
-        """Whether both rings have the same depth, or at least one of them is not level, (p,) bool."""
+        """Whether both rings have the same depth, or at least one of them is not horizontal, (p,) bool."""
         one, two = self.both(self.shapes.flat)
         found: np.ndarray = self.level | ~one | ~two
         return found
@@ -269,7 +273,7 @@ class Pairs:
 
     @cached_property
     def alike(self) -> np.ndarray:
-        """Whether all four sides of the box are shifted by the same distance, (p,) bool. In a lattice, this is rare."""
+        """Whether all four sides of the second ring's box are shifted by one distance, rare in a lattice, (p,) bool."""
         low, high, mean, _ = self.shift
         alike: np.ndarray = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
         return alike
@@ -278,16 +282,17 @@ class Pairs:
     def offset(self) -> np.ndarray:
         """Whether one ring is an offset of the other within the reach of the tool, at any depth, (p,) bool."""
         step, shapes = self.shift.step, self.shapes
-        # At one height, a shift of all four sides by the full step is an offset, even if it is within the rounding
-        # allowed for large rings.
+        # At one height, a ring is an offset if all four sides of its box are shifted by the full distance, even if the
+        # distance is smaller than the tolerance for large rings.
         apart = ~self.same_box | (self.level & (step > ROUNDING.RING))
         wavy, other_wavy = self.both(shapes.wavy)
-        # The lengths of parallel curves differ by the distance times the turn (Steiner's formula), unless bays close.
+        # The lengths of parallel curves differ by the distance times the turn (Steiner's formula), unless a bay of the
+        # outer curve is closed in the offset.
         one, two = self.both(shapes.length)
         longer, shorter = np.maximum(one, two), np.minimum(one, two)
         parallel = (longer - shorter < NESTS.LONGER * np.abs(self.shift.mean)) | (shorter > NESTS.LENGTH_ALIKE * longer)
         slack, other_slack = self.both(shapes.slack)
-        parallel |= slack + other_slack > 2  # open turns of windings: do not compare lengths
+        parallel |= slack + other_slack > 2  # do not compare the lengths of a winding's turns, which are open
         near = (step > NESTS.APART) & (step <= self.limit)
         found: np.ndarray = apart & near & parallel & (self.alike | ~(wavy & other_wavy))
         return found
@@ -300,10 +305,10 @@ class Pairs:
 
 
 def _is_opposite(pairs: Pairs) -> np.ndarray:
-    """Return whether the next ring is an offset with the opposite sense, in a series of at least three such rings.
+    """Return whether the next ring is an offset cut in the opposite sense, in a series of at least three such rings.
 
-    Two rings are not enough, because an outline and its hole also have opposite senses. The loops of one pattern have
-    the same shape. A boundary and an island between its offsets have different shapes.
+    Two rings are not enough, because an outline and its hole also have opposite senses. The opposite rings of one
+    pattern have the same shape. A boundary and an island between its offsets have different shapes.
     """
     one, two = pairs.both(pairs.shapes.sense)
     turns, mean = pairs.offset & pairs.alike & (one != two), pairs.shift.mean
@@ -317,8 +322,8 @@ def _is_opposite(pairs: Pairs) -> np.ndarray:
 def _is_moved(pairs: Pairs) -> np.ndarray:
     """Return whether a ring of similar size is shifted and overlaps, as in trochoids.
 
-    Ribs side by side, and the loops around the ribs, do not overlap. The rest of a winding after its last full turn is
-    ignored, because an incomplete turn does not show its position.
+    Ribs side by side, and the loops around the ribs, do not overlap, and are not trochoids. The rest of a winding after
+    its last full turn is ignored, because the box of an incomplete turn does not show its position.
     """
     (low, high, mean, _), shapes = pairs.shift, pairs.shapes
     moved: np.ndarray = pairs.beside & ~pairs.same_box & (low < 0) & (high > 0)
@@ -331,7 +336,8 @@ def _is_moved(pairs: Pairs) -> np.ndarray:
     return moved
 
 
-#: Relations between the rings of a pair, by their names in `Rings`. Each function takes `Pairs` and returns (p,) bool.
+#: Relations between the two rings of a pair, with the names of the attributes of `Rings`. Each function takes a `Pairs`
+#: object and returns a bool array (p,), one value for each pair of rings.
 RELATIONS: dict[str, Callable[[Pairs], np.ndarray]] = {
     "nested": lambda pairs: pairs.nested,
     "deeper": lambda pairs: ~pairs.same_box & ~pairs.beside & (pairs.shift.low > -pairs.smaller),
@@ -342,7 +348,7 @@ RELATIONS: dict[str, Callable[[Pairs], np.ndarray]] = {
 
 
 def _equal(steps: np.ndarray) -> bool:
-    """Return whether the first step and most of the steps (s,), at least two, have the usual length."""
+    """Return whether the first and most of the distances between turns (s,), at least two, equal the median."""
     if len(steps) < 2:
         return False
     equal = np.abs(steps / middle(steps) - 1) < WINDINGS.EQUAL
@@ -356,9 +362,9 @@ def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.n
 
 
 def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
-    """Return which pieces change their height steadily: their mean height is in the middle of the drop.
+    """Return which pieces change their height steadily, so that their mean height is halfway between their ends.
 
-    The height of a contour with a ramp in only its first moves does not change steadily.
+    A contour with a ramp in only its first moves does not change its height steadily.
     """
     drop = pieces.drop[index]
     if not drop.any():

@@ -12,7 +12,7 @@ from vkworkbench.core.paper import Areas, axis_of
 from vkworkbench.core.recognition.thresholds import MAJORITY, NEGLIGIBLE, NESTS, ROUNDING, ROWS
 
 _ROUNDING = 1e-9  # rad; an axis that differs from pi by less than this value is set to 0
-_EQUAL = 1e-12  # share of the pitch; smaller differences between gaps are rounding errors of float64
+_EQUAL = 1e-12  # share of the pitch; smaller differences between the distances of rows are rounding errors of float64
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,9 @@ class Rows:
     lines : int
         Number of different lines on which the passes lie, counted for up to a thousand passes.
     once : float
-        Length of the passes, without passes that repeat the line of the previous pass at another depth, mm.
+        Length of the passes without those that follow the previous pass's line again, e.g. at another depth, mm.
     opposite, same : float
-        Length of the passes whose neighbour runs in the opposite direction, and in the same direction, mm.
+        Length of the passes whose neighbouring pass runs in the opposite direction, and in the same direction, mm.
     step : float
         Median distance between consecutive rows, weighted by length, mm.
     pitch : float
@@ -91,7 +91,7 @@ def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
             break
         found.append(family)
         total -= moves.length.take(family.moves).sum()
-        # The search for a second family of rows ends, because the few remaining moves are links.
+        # Stop before a second family of rows if only a few moves are left, which are links.
         if len(found) == 2 or total < NEGLIGIBLE.FAMILY * found[0].length:
             break
         left = np.zeros(len(moves), bool)
@@ -172,7 +172,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
     usual = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= ROWS.MAX_DISTANCE * usual + ROWS.FINEST)
     even = float(shorter[neighbour & (lateral >= ROWS.MIN_DISTANCE * usual - ROWS.FINEST)].sum() / shorter[aside].sum())
-    if line < ROUNDING.PLACE:  # rounding changes single steps, but not their mean
+    if line < ROUNDING.PLACE:  # rounding changes single distances, but not their mean
         usual = float(lateral[neighbour].mean())
     return Steps(shorter, aside, neighbour, usual, even, min(line, usual / 2))
 
@@ -337,17 +337,19 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     place = np.append(0.0, np.cumsum(gaps))
     lags = range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)
     distance = np.concatenate([place[lag:] - place[:-lag] for lag in lags])
-    distance = distance[distance < ROWS.FARTHEST * pitch]  # larger distances are between lines of different pockets
+    distance = distance[distance < ROWS.FARTHEST * pitch]  # longer distances are between rows in different pockets
     width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
-    count[:-1] += count[1:]  # join neighbouring cells, because equal distances can be rounded to either
-    # For each distance: number of lines that are at least this distance before the last line, so that another line can
+    count[:-1] += count[1:]  # add the next cell, because equal distances can be rounded to two neighbouring cells
+    # Count, for each distance, the lines that are at least this distance before the last line, so that another line can
     # be at this distance from them.
     with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
-    score = count * share  # a distance that occurs by chance occurs for few lines
-    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))  # multiples of the period are equally frequent
+    # The product favours frequent distances, because a distance that occurs by chance occurs for few lines.
+    score = count * share
+    # Choose the shortest of the frequent distances, because multiples of the period are as frequent as the period.
+    nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))
     if share[nearest] <= MAJORITY.SHARE:
         return pitch
     return median(distance[(cell == nearest) | (cell == nearest + 1)])
@@ -375,7 +377,8 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
     along, aligned = _aligned(dx, dy, length, axis)
     kept = length.take(aligned).sum() / total
     if kept < ROWS.ONE_AXIS:
-        # With several axes, the mean lies between the axes. Use the densest class of directions and its neighbours.
+        # If the rows have several axes, the mean direction lies between the axes. Use the most frequent class of
+        # directions and the two classes beside it.
         bins = np.rint(moves.alpha[chosen] * (ROWS.DIRECTIONS / np.pi)).astype(np.int64) % ROWS.DIRECTIONS
         weight = np.bincount(bins, weights=length, minlength=ROWS.DIRECTIONS)
         around = np.roll(weight, 1) + np.roll(weight, -1)
@@ -383,7 +386,7 @@ def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.
         near = (np.arange(ROWS.DIRECTIONS) - peak + 1) % ROWS.DIRECTIONS <= 2
         aligned = np.flatnonzero(near[bins])
     if kept < ROWS.ALL_ALIGNED:
-        # Compute the axis again without the links, because links along a slanting boundary rotate it.
+        # Compute the axis again without the links, because links along a slanting boundary rotate the mean direction.
         cos = cos.take(aligned)
         axis = axis_of(dot(cos, dx.take(aligned)), dot(cos, dy.take(aligned)), float(length.take(aligned).sum()))
         along, aligned = _aligned(dx, dy, length, axis)
@@ -414,9 +417,9 @@ def filling(families: list[Rows], tool: float, *, length: float, contour: bool) 
     good = [family for family in families if _fills(family, tool) and not (contour and _walls(family))]
     if good or len(families) < 2 or (tool and max(family.period for family in families) > NESTS.REACH * tool):
         return good
-    # The passes of a lattice bounce from wall to wall, so that consecutive rows are not neighbours. Two families of
-    # many long rows nevertheless cover the area if they have nearly the whole length and cross each other. The sides of
-    # contours do not cross.
+    # The passes of a lattice (rows that bounce from wall to wall) are not cut in the order of their positions, so that
+    # consecutive rows are not neighbours. Two families of many long rows nevertheless cover the area if they have
+    # nearly the whole length and cross each other. The sides of contours do not cross one another.
     if sum(family.length for family in families) > ROWS.GRID * length and _cross(*families):
         if all(
             family.count >= MAJORITY.REPETITIONS and family.typical > ROWS.MIN_LENGTH * family.pitch
@@ -443,12 +446,12 @@ def _cross(one: Rows, other: Rows) -> bool:
 
 def _fills(family: Rows, tool: float) -> bool:
     """Return whether passes are rows: long passes with short steps between neighbours (paper, section 2.1)."""
-    # In teeth that are two steps wide, the rows are short, but there are many rows with even steps.
+    # In the teeth of a comb that are two rows wide, the rows are short, but there are many rows with even distances.
     longer = ROWS.MIN_LENGTH_IF_MANY if family.lines >= ROWS.MANY and family.even > ROWS.EVEN else ROWS.MIN_LENGTH
     if family.opposite + family.same <= ROWS.WITH_NEIGHBOUR * family.once or family.typical <= longer * family.step:
         return False
     if family.step < max(ROWS.RETRACED * tool, ROUNDING.PLACE) and (family.lines < ROWS.MANY or family.steep):
-        return False  # repetitions of one pass, or passes down a wall
+        return False  # the passes repeat one line, or follow one another down a wall
     reach = NESTS.REACH * tool
     if tool and family.step > reach and (family.period > reach or family.step > ROWS.LEFT_BETWEEN * family.period):
         return False
