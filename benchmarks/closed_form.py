@@ -158,7 +158,7 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
 def _descents(t: _Trajectories, tool: Tool) -> np.ndarray:
     """Return the area that each descending trajectory of a flat tool cuts, mm^2, including the tool's circle."""
     down = np.flatnonzero(t.rise < -_LEVEL)
-    # A plunge counts only if it is deeper than all earlier plunges at the same place.
+    # A plunge cuts new area only if it is deeper than all earlier plunges at the same place.
     place = np.rint(t.end[down, :2] / _LEVEL).astype(np.int64)
     _, group = np.unique(place, axis=0, return_inverse=True)
     group = group.ravel()

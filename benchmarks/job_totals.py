@@ -59,7 +59,7 @@ def main() -> None:
 
 
 def told(cuts, stock, view, speed) -> None:
-    """Print the numbers of the example job."""
+    """Print the exact and the estimated cost of the example job."""
     whole, alone = estimates(cuts, stock, view, speed)
     begin = time.process_time()
     true = simulate_job(cuts, stock=stock, view=view, processes=1)

@@ -238,7 +238,7 @@ def judge(e: Examples) -> None:
 
 
 def two_classes(e: Examples, of: np.ndarray, said: np.ndarray) -> str:
-    """Return the share of the rows `of` (k,) whose recognised strategies `said` (k,) are in the class of a right one."""
+    """Return the share of the rows `of` (k,) whose recognised strategies `said` (k,) are in the right class."""
     names = [[VALUES[s] for s in np.flatnonzero(e.accepted[i])] for i in of]
     told = [two_class(VALUES[e.best[i]], set(n), VALUES[s]) for i, n, s in zip(of, names, said)]
     known = [one for one in told if one is not None]

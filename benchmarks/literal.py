@@ -46,7 +46,7 @@ def told(low, high):
 
 
 def answers(toolpath):
-    """Yield the answer of the paper's rule, and the answer after each change."""
+    """Yield the answer of the paper's rule, and the answer after each change to the rule."""
     move = np.diff(toolpath.points[:, :2], axis=0)[~toolpath.rapid]
     move = move[np.hypot(*move.T) > 1e-9]
     phi = phi_to_the_letter(np.arctan2(move[:, 1], move[:, 0]))

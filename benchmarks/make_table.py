@@ -14,7 +14,7 @@ columns and how to add a program. The operations are
 * toolpaths made by the modules synthetic, strokes, outlines, few_moves, lathe, fine_rows and nonsense of toolpaths/.
 
 An operation with a tool has one row with the tool and one row without it. If several rows have the same labels,
-measures and proposals, the table contains only one of these rows.
+measures and proposed strategies, the table contains only one of these rows.
 
 Programs that cannot be fetched, and FreeCAD versions without a file in FOLDER, keep their rows of the last table,
 unless the measures have changed since then.
@@ -220,7 +220,7 @@ def rows_to_keep(last: list[dict[str, str]], made: list[dict[str, str]]) -> list
 
 
 def changed(last: list[dict[str, str]], made: list[dict[str, str]]) -> bool:
-    """Return whether a measure or a proposal of a toolpath from toolpaths/ differs from the last table.
+    """Return whether a measure or proposed strategy of a toolpath from toolpaths/ differs from the last table.
 
     Operations of programs are not compared, because they also change when the G-code reader is corrected. The last
     digits of a measure differ between versions of numpy.

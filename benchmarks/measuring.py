@@ -55,19 +55,19 @@ def beside(predicted, seconds):
 
 
 def left_out(durations):
-    """Return a text with the number of simulations without an undisturbed run."""
+    """Return a text with the number of simulations in which the host took time from every run."""
     return f"left out, the host took time from them: {durations.count([])} of {len(durations)}"
 
 
 def summary(kind, ratios):
-    """Return a text with the ratios for one kind of simulation."""
+    """Return a text that summarises the ratios of predicted to measured time for one kind of simulation."""
     if not ratios:
         return f"{kind}, 0 runs"
     return f"{kind}, {len(ratios)} runs, ratio median / p90 / worst: {quantiles(ratios)}"
 
 
 def quantiles(ratios):
-    """Return a text with the median, the 90th percentile and the largest of the ratios."""
+    """Return a text with the median, the 90th percentile and the largest value of `ratios`."""
     return " / ".join(f"{q:.2f}" for q in np.percentile(ratios, (50, 90, 100)))
 
 

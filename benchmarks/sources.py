@@ -15,7 +15,8 @@ from vkworkbench.core.recognition.verdict import decide
 def report_sources(files: list[str], programs: str | None) -> None:
     """Print the accuracy on the table, and how well whole programs and pairs of operations are divided.
 
-    Each tenth of the repositories and parts is judged by models for verdicts and borders that were learned without it.
+    The strategies and borders in each tenth of the repositories and parts are judged by models learned without this
+    tenth.
     """
     e = Examples.read()
     judge(e)

@@ -4,8 +4,8 @@
     freecadcmd $PWD/benchmarks/watcher.py
 
 Recomputes with and without the watcher take turns in one run. The script prints the shortest and the median time of
-both, and their ratio. It also prints the share of the watcher's own functions in the recompute, which noise does not
-affect. The exit status is 1 if this share is not below 1 %.
+both, and their ratio. The script also prints the share of the recompute's time that the watcher's own functions take,
+which noise does not affect. The exit status is 1 if this share is not below 1 %.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ OPERATIONS, TURNS = 200, 3
 
 
 class Timed(watcher.Watcher):
-    """The watcher with a clock for its own functions."""
+    """The watcher of the marks, with a clock for the watcher's own functions."""
 
     seconds, calls = 0.0, 0
 

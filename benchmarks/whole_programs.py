@@ -87,7 +87,7 @@ def reached(record: Record) -> np.ndarray:
 def report_programs(file: str, learn=lambda group: None) -> None:
     """Print how many labelled sections of whole programs get a right strategy, and how well the borders are found.
 
-    `learn` is called with the group of a program before it is recognised.
+    `learn` is called with the group of a program before the program is recognised.
     """
     shares, borders, several = [], Borders(), 0
     for record in programs(file):

@@ -4,11 +4,12 @@
     python3 benchmarks/zbuffer.py [quick]
 
 The script needs numpy only. For toolpaths of zbuffer_cases.py, from above and obliquely, it prints the number of dexels
-and trace elements, of tested pairs (a tile or pixel, and a trajectory), and the best processor time of three runs. If
-it is fast enough, the script also tests every trajectory on every ray that it passes, and prints the ratio of this time
-to the processor time. Then the script prints how the time grows with the number of trajectories, the time to show any
-moment of a simulation, and, without `quick`, the cost of a million trajectories. The times depend on the computer, and
-only ratios are comparable. benchmarks/zbuffer_freecad.py compares with FreeCAD.
+and trace elements, of tested pairs (a tile or pixel, and a trajectory), and the best processor time of three runs. The
+script also tests every trajectory on every ray that the trajectory passes, in a smaller image if this would take too
+long, and prints the ratio of this time to the time with culling. Then the script prints how the time grows with the
+number of trajectories, the time to show any moment of a simulation, and, without `quick`, the cost of a million
+trajectories. The times depend on the computer, and only ratios are comparable. benchmarks/zbuffer_freecad.py compares
+with FreeCAD.
 """
 
 from __future__ import annotations
@@ -100,7 +101,7 @@ def tried_in(toolpath, tool, stock, direction) -> View:
 
 
 def growth() -> None:
-    """Print exponents of the time in the number of trajectories.
+    """Print the exponents with which time, pairs and traces grow with the number of trajectories.
 
     All toolpaths of a case cut the same plate or block. With more trajectories, the rows are closer, so the removed
     material is about the same.
@@ -130,7 +131,7 @@ def moments() -> None:
 
 
 def moments_of(z) -> tuple[float, float, float, float]:
-    """Return the median times of random moments, of single steps forwards and of single steps backwards, ms.
+    """Return the median times to show random moments, single steps forwards and single steps backwards, ms.
 
     The last number is the additional time of the first picture, s.
     """

@@ -9,8 +9,8 @@ of the stock. The exact volume is the integral, over the height, of the area tha
 each height, a straight move cuts all points within a radius of a segment. To compute the area of the union of these
 figures, lengths are integrated over parallel lines. On each line, the union is a union of intervals. This computation
 shares no code with the simulator. For operations and for whole jobs, the script prints the share of volumes within the
-stated error. It also prints the largest and the mean deviation, and the largest stated error, in percent of the exact
-volume.
+stated error. The script also prints the largest and the mean deviation, and the largest stated error, in percent of the
+exact volume.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ TREE_SETTLES = 1000  # waiting time, ms, because FreeCAD updates its tree some t
 
 
 def guarded(step):
-    """Run `step` when FreeCAD's event loop is idle; an error ends FreeCAD, which would only print the error."""
+    """Run `step` when FreeCAD's event loop is idle; an error ends FreeCAD instead of only being printed."""
 
     def run():
         try:

@@ -41,7 +41,7 @@ def shuffled_bits(rng):
 
 
 def sorted_cells(rng):
-    """The cells of a grid, or random points, ordered by a wave over the plane."""
+    """The cells of a grid, or random points, sorted by the value of a sum of three plane waves."""
     side = int(rng.integers(8, 35))
     cells = np.stack(np.meshgrid(np.arange(side), np.arange(side)), axis=-1).reshape(-1, 2) * 1.0
     if rng.random() < 0.5:
