@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bites of adaptive clearing are open strokes with the usual sense of bend that overlap the previous or next bite."""
+"""Bites of adaptive clearing are open strokes that bend in the usual sense and overlap the previous or next stroke."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vkworkbench.core.recognition.patterns.strokes import relate_strokes
 
 
 def wavy(x):
-    """Return an arc that bends by the angle of a bite, but turns back by more than half a turn on its way."""
+    """Return an arc with the net bend of a bite, which turns back by more than half a turn on its way."""
     points, heading = [(50.0 + x, 0.0, 0.0)], 0.0
     for bend in [0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5, 0.5, 0.5, 0.5, 0.5] + [0.2] * 12:
         heading += bend
@@ -43,7 +43,7 @@ def test_arcs_that_overlap_the_next_arc_are_bites():
 
 def test_arc_far_from_its_neighbours_is_not_a_bite():
     assert bites(arc(0), arc(2), arc(100), arc(200), arc(202)) == "bb-bb"
-    # Arcs that are close in one direction only do not overlap.
+    # Arcs that are close along X only, or along Y only, do not overlap.
     assert bites(arc(0, 0), arc(0, 100), arc(100, 100)) == "---"
     assert bites(arc(0, 0), arc(0, 2), arc(0, -100), arc(-100, -100)) == "bb--"
 
@@ -55,7 +55,7 @@ def test_arcs_at_another_depth_do_not_overlap():
 
 def test_stroke_that_bends_less_than_a_quarter_is_not_a_bite():
     assert bites(arc(0, turns=0.2), arc(2, turns=0.2)) == "--"
-    assert bites(arc(0), arc(1, turns=0.2), arc(2)) == "b-b"  # a short arc does not separate bites
+    assert bites(arc(0), arc(1, turns=0.2), arc(2)) == "b-b"  # A short arc does not separate bites.
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
 
 
@@ -89,11 +89,11 @@ def test_stroke_that_turns_back_is_not_a_bite():
 def test_slopes_depths_and_footprints_of_strokes_are_counted():
     found = strokes_of([arc(0), arc(0, z=-2.0), arc(50, z=-2.0), arc(100, drop=1.0)])
     assert found.sloped.tolist() == [False, False, False, True]
-    assert (found.distinct, found.depths) == (3, 2)  # a sloped stroke does not count as a depth
+    assert (found.distinct, found.depths) == (3, 2)  # A sloped stroke does not add a depth.
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 
 
-def test_typical_length_weights_strokes_by_length():
+def test_typical_stroke_length_weights_strokes_by_length():
     found = strokes_of([*(arc(30.0 * i, radius=1) for i in range(5)), arc(0, 200, radius=10), arc(0, 300, radius=10)])
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Concentric arcs with known lengths and distances: measures of arcs, and toolpaths without concentric arcs."""
+"""Measures of concentric arcs with known lengths and distances, and toolpaths without concentric arcs."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ QUARTER, CHORDS = np.pi / 2, 60
 def found(
     radii, *, way=lambda k: 1, climb=0.0, turned=0.0, centre=(33.0, -21.0), aside=(), chords=CHORDS, sector=QUARTER
 ):
-    """Return the arcs that are found in a program of concentric sectors with these radii, each of `chords` chords.
+    """Return the arcs that are found in a program of concentric sectors with the given radii, each of `chords` chords.
 
-    `way` returns the direction of the sector with an index, 1 or -1. The radius grows by `climb` mm along a sector, and
+    `way(k)` returns the direction of sector k, 1 or -1. The radius grows by `climb` mm along a sector, and
     each sector begins `turned` rad after the previous sector. `aside` lists further points at the end of a sector, as
     radial distances from the end, mm.
     """
@@ -42,7 +42,8 @@ def test_lengths_and_steps_of_arcs_in_one_direction_are_measured():
     assert (arcs.count, arcs.spiral, arcs.opposite) == (4, 0, 0)
     assert arcs.length == pytest.approx(QUARTER * 52, rel=1e-3)
     assert arcs.step == pytest.approx(2, rel=1e-3) and arcs.even == pytest.approx(1)
-    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)  # of two neighbours, the shorter arc counts
+    # The measure adds the length of the shorter arc of each pair of neighbours.
+    assert arcs.same == pytest.approx(QUARTER * 36, rel=1e-3)
 
 
 def test_arcs_cut_back_and_forth_are_opposite_to_neighbours():
@@ -52,11 +53,12 @@ def test_arcs_cut_back_and_forth_are_opposite_to_neighbours():
     assert (arcs.opposite, arcs.same) == pytest.approx((QUARTER * 14, QUARTER * 22), rel=1e-3)
 
 
-def test_short_step_is_uneven_and_long_step_is_no_neighbour():
+def test_short_step_of_arcs_is_uneven_and_long_step_is_a_gap():
     uneven = found([10, 12, 14, 16, 16.2, 18.2])
-    assert uneven.step == pytest.approx(2, rel=1e-3) and uneven.count == 5  # 16 and 16.2 mm count as one radius
+    # The radii 16 and 16.2 mm count as one radius.
+    assert uneven.step == pytest.approx(2, rel=1e-3) and uneven.count == 5
     assert uneven.even == pytest.approx((10 + 12 + 14 + 16.2) / (10 + 12 + 14 + 16 + 16.2), rel=1e-3)
-    # the result does not depend on the size
+    # The measure `even` does not depend on the size.
     assert found([20, 24, 28, 32, 32.4, 36.4]).even == pytest.approx(uneven.even)
     apart = found([10, 12, 14, 40, 42])
     assert apart.same == pytest.approx(QUARTER * (10 + 12 + 40), rel=1e-3)
@@ -64,11 +66,11 @@ def test_short_step_is_uneven_and_long_step_is_no_neighbour():
 
 
 @pytest.mark.parametrize(("aside", "count"), [(0.5, 4), (0.7, 5)])
-def test_similar_radii_count_as_one(aside, count):
+def test_arcs_of_similar_radii_count_as_one_arc(aside, count):
     assert found([10, 12, 14, 16, 16 + aside]).count == count
 
 
-def test_arc_repeated_at_another_depth_is_not_a_step():
+def test_arc_repeated_at_another_depth_adds_no_step():
     arcs = found([10, 10, 12, 12, 14, 14])
     assert arcs.count == 3 and arcs.same == pytest.approx(QUARTER * 22, rel=1e-3)
     assert found([10, 10, 10]) is None and found([10, 12]) is None
@@ -77,7 +79,7 @@ def test_arc_repeated_at_another_depth_is_not_a_step():
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.2, True), (-0.2, True)])
 def test_arc_with_growing_radius_is_part_of_a_spiral(climb, spirals):
     """The radius grows by 0.1 or 0.2 mm per quarter turn, which is 0.4 or 0.8 mm per turn. The steps are 2 mm."""
-    # the arcs go all around, because another centre would fit fewer arcs
+    # The arcs are spread over the full circle, because arcs on one side would also fit circles around another centre.
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)
 
@@ -103,7 +105,7 @@ def test_detours_do_not_change_the_centre_of_arcs():
 @pytest.mark.parametrize("degrees", [0, 45, 90])
 @pytest.mark.parametrize("lean", [0.0, 2.0])
 def test_rows_have_no_common_centre(degrees, lean):
-    """The rows have different directions. In every row, 2 mm on 50 mm lean to alternating sides."""
+    """The test turns the rows by several angles. With `lean`, each row of 50 mm leans by 2 mm, to alternating sides."""
     rows = np.array(
         [(x, 6.0 * k + lean * (x > 0) * (-1) ** k) for k in range(8) for x in ((0, 50) if k % 2 == 0 else (50, 0))]
     )
@@ -116,8 +118,8 @@ def test_rows_have_no_common_centre(degrees, lean):
 
 
 @pytest.mark.parametrize(("degrees", "bent"), [(17, False), (24, True)])
-def test_arc_of_less_than_twenty_degrees_is_straight(degrees, bent):
-    """Directions that spread evenly over 0.35 rad (20 degrees) have a hundredth of the largest possible scatter."""
+def test_arc_of_less_than_twenty_degrees_counts_as_straight(degrees, bent):
+    """The directions of an arc of 20 degrees have a hundredth of the largest possible scatter, the limit."""
     arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
     assert (arcs is not None) == bent
     assert arcs is None or arcs.step == pytest.approx(2, rel=1e-2)

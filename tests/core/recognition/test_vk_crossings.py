@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures of neighbouring crossings on scan lines, for drawn passes with known measures."""
+"""Measures of passes that cross a scan line next to each other, for drawn passes with known measures."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def scanned(commands):
 
 
 def told(commands):
-    """Return the crossings per scan line, the measures of neighbours at one depth, and the measures at all depths."""
+    """Return the number of crossings per scan line, and the measures of neighbours at one depth and at all depths."""
     found = scanned(commands)
     names = {which: {name: found[f"{which}_{name}"] for name in NAMES} for which in ("level", "plan")}
     assert set(found) == {"crossings", *(f"{which}_{name}" for which in names for name in NAMES)}
@@ -47,14 +47,17 @@ def rows(heights, places, length=50.0):
     [(programs.zigzag(ROWS, 50.0, STEP), TO_AND_FRO), (programs.one_way(ROWS, 50.0, STEP), ONE_WAY)],
     ids=["to and fro", "one way"],
 )
-def test_rows_side_by_side_have_known_measures(commands, way):
+def test_measures_of_rows_side_by_side_match_expected_values(commands, way):
     crossings, level, plan = told(commands)
     assert crossings == pytest.approx(ROWS)
     assert level == pytest.approx({**SIDE_BY_SIDE, **way}, abs=1e-6) and plan == level
 
 
 def test_rows_at_two_depths_are_compared_at_each_depth():
-    """Seen from above, every second crossing coincides with the previous crossing. Distances of 0 do not count."""
+    """Seen from above, every second crossing of a scan line coincides with the previous crossing.
+
+    Distances of 0 are left out.
+    """
     crossings, level, plan = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -1.0)))
     assert crossings == pytest.approx(2 * ROWS)
     assert level == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY, "count": log1p(2 * (ROWS - 1))}, abs=1e-6)
@@ -62,12 +65,13 @@ def test_rows_at_two_depths_are_compared_at_each_depth():
     assert plan["count"] == pytest.approx(log1p(ROWS - 1)) and plan["step"] == pytest.approx(log(STEP / EXTENT))
 
 
-def test_neighbours_cut_from_both_sides_are_not_consecutive():
+def test_rows_cut_in_turn_from_both_sides_are_not_consecutive():
     """In the order 0, 9, 1, 8, ..., only the two neighbouring rows in the middle are cut one after the other."""
     order = np.ravel(np.column_stack((np.arange(5), np.arange(9, 4, -1))))
     _, level, _ = told(rows(np.zeros(ROWS), STEP * order))
     assert level["next"] == pytest.approx(1 / 9)
-    assert level["monotonous"] == pytest.approx(7 / 8)  # not in the middle, where the sides meet
+    # The order is not monotonous only in the middle, where the rows of both sides meet.
+    assert level["monotonous"] == pytest.approx(7 / 8)
     backwards = told(rows(np.zeros(ROWS), STEP * np.arange(ROWS)[::-1]))[1]
     assert backwards == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)
 
@@ -93,13 +97,13 @@ def test_neighbours_that_are_not_parallel_are_not_passes():
     assert level["signed"] == pytest.approx(1)
 
 
-def test_single_crossing_of_a_stroke_has_no_neighbours():
+def test_single_stroke_crossed_by_a_scan_line_has_no_neighbours():
     crossings, level, plan = told(rows([0.0], [5.0]))
     assert crossings == pytest.approx(1) and level["signed"] == 1 and level["other"] == 1
     assert {**level, "signed": -1, "other": -1} == NOTHING and plan == level
 
 
-def test_strokes_between_scan_lines_have_no_measures():
+def test_strokes_that_no_scan_line_crosses_have_no_measures():
     """The two strokes are 0.1 mm long and 100 mm apart."""
     crossings, level, plan = told(programs.program([[(x, 0.0, 0.0), (x + 0.1, 0.0, 0.0)] for x in (0.0, 100.0)]))
     assert crossings == 0 and level == plan == NOTHING
@@ -119,14 +123,14 @@ def test_crossings_are_sampled_from_the_middle_rows():
     assert crossings == pytest.approx(600) and level["count"] == pytest.approx(log1p(599))
     assert (level["opposite"], level["signed"], level["keep"]) == pytest.approx((0, 1, 1))
     moves = monotonous_areas(linearize(commands))
-    for rows in (np.arange(2000), np.arange(0, 2000, 2)):  # a sample of half of the rows is sufficient
+    for rows in (np.arange(2000), np.arange(0, 2000, 2)):  # A sample of half of the rows is sufficient.
         assert np.unique(_cross(moves, Sample.of(moves, rows)).line).tolist() == [0, 1]
     few = monotonous_areas(linearize(programs.zigzag(ROWS, 50.0, STEP)))
     assert np.unique(_cross(few, Sample.of(few, np.arange(len(few)))).line).tolist() == list(range(12))
 
 
 @pytest.mark.parametrize("wider, usual, even", [(1.05, 1.05**0.5, 1), (1.2, 1.2**0.5, 1), (1.45, 1, 0.5)])
-def test_two_similar_row_distances_count_as_one(wider, usual, even):
+def test_two_row_distances_within_the_tolerance_count_as_equal(wider, usual, even):
     _, level, _ = told(rows(np.zeros(3), [0.0, STEP, STEP + wider * STEP]))
     assert level["even"] == even and level["step"] == pytest.approx(log(usual * STEP / EXTENT))
     assert level["tight"] == pytest.approx(np.median(np.abs(np.array([1, wider][: int(2 * even)]) / usual - 1)))
@@ -165,7 +169,10 @@ def test_stroke_parallel_to_the_scan_lines_is_not_crossed(sine, crosses):
 
 @pytest.mark.parametrize("deeper, apart", [(0.04, True), (0.02, False)])
 def test_heights_that_clearly_differ_are_two_depths(deeper, apart):
-    """Heights that differ by more than 0.025 mm are two depths. At one depth, equal rows would coincide."""
+    """Heights that differ by more than 0.025 mm are two depths.
+
+    If the two depths counted as one depth, their rows would coincide.
+    """
     _, level, _ = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -deeper)))
     assert level["run"] == pytest.approx((ROWS - 2) / (ROWS - 1) if apart else 0)
 
@@ -178,7 +185,7 @@ def test_rotated_rows_have_the_same_crossings(angle):
     assert told(turned)[1] == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)
 
 
-def test_descending_passes_have_one_depth_at_each_line():
+def test_descending_neighbour_passes_are_compared_at_one_depth():
     strokes = [[(0.0, STEP * k, 0.0), (50.0, STEP * k, -10.0)][:: 1 - 2 * (k % 2)] for k in range(ROWS)]
     _, level, plan = told(programs.program(strokes))
     assert level == pytest.approx({**SIDE_BY_SIDE, **TO_AND_FRO}, abs=1e-6)

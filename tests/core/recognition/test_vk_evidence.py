@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The numbers of a verdict, and the sentence with these numbers, for drawn toolpaths with known numbers."""
+"""Numbers reported with a strategy (stepover, depths, passes), and the reason that contains these numbers."""
 
 from __future__ import annotations
 
@@ -43,7 +43,10 @@ def test_loops_of_both_senses_have_no_milling_direction():
 
 
 def test_growing_and_shrinking_loops_have_no_milling_direction():
-    """The loops of an outward and an inward nest have equal lengths, and all run counter-clockwise."""
+    """One nest of loops is cut outward, and one inward.
+
+    Their lengths are equal, and all loops run counter-clockwise.
+    """
     sides = [20 + 6 * k for k in range(8)]
     strokes = [polygon(side) for side in sides] + [polygon(side, x=200.0) for side in sides[::-1]]
     found = found_in(programs.program(strokes))
@@ -121,11 +124,11 @@ def rows(count=10, length=48.0, step=3.0, x=46.0, y=-54.0, z=0.0):
     return [(end, y + row * step, z) for row in range(count) for end in ends[row % 2]]
 
 
-def test_rows_inside_a_contour_report_their_own_numbers():
+def test_numbers_of_rows_do_not_include_the_contour_around():
     both = section(rows(), polygon(54))
     e = gather_evidence(both, said(Strategy.ZIGZAG))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
-    # strategies other than rows and loops report the direction of their rows
+    # A strategy without rows and loops, such as engraving, reports the direction of the rows.
     e = gather_evidence(both, said(Strategy.ENGRAVING))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
     e = gather_evidence(both, said(Strategy.PROFILE))
@@ -146,7 +149,10 @@ def test_stepover_is_row_distance_or_grid_period():
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
 def test_grid_has_a_stepover_if_one_direction_is_in_rows(downward, stepover):
-    """In one direction, two lines lie in every 3 mm. Across them, no line is followed by its neighbour."""
+    """Along X, two lines lie in every 3 mm.
+
+    Along Y, the order of the lines is such that no line follows its neighbour.
+    """
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [
         [(x, 3.0 * (k // 2) + 0.6 * (k % 2), 0), (u, 3.0 * (k // 2) + 0.6 * (k % 2), 0)]
@@ -158,7 +164,7 @@ def test_grid_has_a_stepover_if_one_direction_is_in_rows(downward, stepover):
     assert gather_evidence(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
 
 
-def test_step_of_the_verdict_is_used_if_no_step_is_measured():
+def test_step_from_the_rules_is_used_if_no_step_is_measured():
     strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
     e = gather_evidence(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
     assert (e.passes, e.stepover) == (7, 2.5)
@@ -167,8 +173,8 @@ def test_step_of_the_verdict_is_used_if_no_step_is_measured():
 
 
 @pytest.mark.parametrize("length, depths", [(4.0, 1), (6.0, 2)])
-def test_tiny_piece_does_not_count_as_a_depth(length, depths):
-    """The piece lies beside a contour of 240 mm."""
+def test_tiny_line_beside_a_contour_does_not_count_as_a_depth(length, depths):
+    """The line of 4 or 6 mm lies beside a contour of 240 mm."""
     found = section(polygon(60), [(200, 0, -1), (200 + length, 0, -1)])
     assert gather_evidence(found, said(Strategy.PROFILE)).depths == depths
 

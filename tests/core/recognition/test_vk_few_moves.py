@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Toolpaths of few moves, with other random parameters than the toolpaths from which the model learned."""
+"""Toolpaths of few moves, whose random parameters differ from the toolpaths with which the model was trained."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SEEDS = range(1000, 1020)
 @pytest.mark.long
 @pytest.mark.parametrize("label, accepted, make", [pytest.param(*s, id=s[0]) for s in SAMPLES])
 def test_most_toolpaths_of_few_moves_are_recognized(label, accepted, make):
-    """Nine in ten, with the tool's diameter if the maker returns one."""
+    """Nine in ten toolpaths are recognised. The tool's diameter is given if the generator returns a diameter."""
     right = 0
     for seed in SEEDS:
         made = make(np.random.default_rng(seed))
@@ -27,7 +27,10 @@ def test_most_toolpaths_of_few_moves_are_recognized(label, accepted, make):
 @pytest.mark.parametrize("gap", [0.3, 0.5, 2.5])
 @pytest.mark.parametrize("depths", [1, 3])
 def test_two_walls_of_a_slot_are_a_profile(gap, depths):
-    """Each wall is cut at all depths before the other wall, with leads at both ends. The gap is in tool diameters."""
+    """Each wall is cut at all depths before the other wall, with leads at both ends.
+
+    `gap` is the distance of the walls in tool diameters.
+    """
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for x, lead, (start, end) in ((0.0, 0.7, (0.0, 18.0)), (2.0 * gap, -0.7, (18.0, 0.0))):
         onward = 0.7 if end > start else -0.7

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the contours that finish the walls of an area cleared by the operation before or after them."""
+"""Contours that finish the walls of an area cleared by the previous or next section are part of that operation."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 from vkworkbench.core import Strategy
 from vkworkbench.core.recognition.programs.finishing import CutSection, within_operations
 
-CLEARED = (0.0, 0.0, 30.0, 40.0)  # the diagonal is 50 mm
+CLEARED = (0.0, 0.0, 30.0, 40.0)  # The diagonal is 50 mm.
 AROUND = (-2.0, -2.0, 32.0, 42.0)
 ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strategy.PROFILE, Strategy.CONTOUR_PARALLEL
 
@@ -39,7 +39,7 @@ def found_in(*sections, where=0.0, doubtful=None, rapids=True):
 
 @pytest.mark.parametrize("where", [0.0, 1000.0])
 @pytest.mark.parametrize("clearing", [ZIGZAG, Strategy.ONE_WAY, ADAPTIVE])
-def test_finishing_contour_may_come_before_the_clearing(clearing, where):
+def test_finishing_contour_is_found_before_or_after_the_clearing(clearing, where):
     assert found_in((clearing, CLEARED), (PROFILE, AROUND), where=where) == [1]
     assert found_in((PROFILE, AROUND), (clearing, CLEARED), where=where) == [1]
 
@@ -53,7 +53,7 @@ def test_link_to_the_next_section_is_not_part_of_a_contour(rapids):
 @pytest.mark.parametrize(
     "sections",
     [
-        # the contour extends beyond the area by more than a twentieth of the diagonal
+        # The contour extends beyond the area by more than a twentieth of the diagonal.
         [(ADAPTIVE, CLEARED), (PROFILE, (-3.0, -2.0, 32.0, 42.0))],
         [(ADAPTIVE, CLEARED), (PROFILE, (0.0, 0.0, 30.0, 36.0))],
         [(ADAPTIVE, CLEARED), (PROFILE, AROUND, -2.0)],
@@ -65,12 +65,13 @@ def test_link_to_the_next_section_is_not_part_of_a_contour(rapids):
         [(ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 3)],
     ],
 )
-def test_contours_that_do_not_finish_are_own_operations(sections):
+def test_contours_that_finish_no_cleared_area_are_own_operations(sections):
     assert found_in(*sections) == []
 
 
-def test_finishing_contour_of_a_small_area_needs_the_stepover():
-    small, out = (0.0, 0.0, 3.0, 4.0), (-0.5, -0.5, 3.5, 4.5)  # a twentieth of the diagonal is 0.25 mm
+def test_finishing_contour_of_a_small_area_is_found_by_stepover():
+    # The contour lies 0.5 mm outside, and a twentieth of the diagonal is 0.25 mm.
+    small, out = (0.0, 0.0, 3.0, 4.0), (-0.5, -0.5, 3.5, 4.5)
     assert found_in((ADAPTIVE, small), (PROFILE, out)) == []
     assert found_in((ADAPTIVE, small, -1.0, 9, 0.6), (PROFILE, out)) == [1]
 
@@ -79,15 +80,15 @@ def test_two_nested_finishing_walls_belong_to_the_clearing():
     assert found_in((ADAPTIVE, CLEARED), (OFFSETS, AROUND, -1.0, 2)) == [1]
 
 
-def test_contour_within_a_stepover_of_rows_finishes_them():
-    out = (-3.5, -3.5, 33.5, 43.5)  # farther outside than a twentieth of the diagonal
+def test_contour_within_a_stepover_around_rows_finishes_the_rows():
+    out = (-3.5, -3.5, 33.5, 43.5)  # The contour lies farther outside than a twentieth of the diagonal.
     lower, upper = (0.0, 0.0, 30.0, 15.0), (0.0, 20.0, 30.0, 40.0)
     assert found_in((ZIGZAG, CLEARED, -1.0, 9, 4.0), (PROFILE, out)) == [1]
     assert found_in((ZIGZAG, CLEARED, -1.0, 9, 3.0), (PROFILE, out)) == []
     assert found_in((ZIGZAG, lower, -1.0, 9, 4.0), (ADAPTIVE, upper, -1.0, 9), (PROFILE, out)) == [1, 2]
 
 
-def test_several_contours_and_areas_may_be_one_finishing():
+def test_several_contours_may_finish_several_cleared_areas():
     island, wall = (10.0, 10.0, 20.0, 20.0), (-1.0, -1.0, 31.0, 41.0)
     assert found_in((ADAPTIVE, CLEARED), (PROFILE, island), (PROFILE, wall)) == [1, 2]
     assert found_in((PROFILE, wall), (PROFILE, island), (ADAPTIVE, CLEARED)) == [1, 2]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pieces with the same footprint are found, together with their depths."""
+"""Pieces with the same footprint (bounding box and length), and the depths at which they are cut."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_shift_of_more_than_a_tenth_is_another_footprint():
     assert footprints(pieces, every(pieces))[1] == 10
 
 
-def test_equal_pieces_at_one_depth_are_not_repeated():
+def test_equal_pieces_at_one_depth_are_not_repeats_at_depth():
     pieces = pieces_of(polygon(**SQUARE), polygon(**SQUARE, z=0.01), polygon(**SQUARE, x=100.0))
     again, count = come_again(pieces, every(pieces))
     assert not again.any() and count == 2
@@ -63,7 +63,7 @@ def test_equal_pieces_at_one_depth_are_not_repeated():
     assert again.dtype == bool and len(again) == count == 0
 
 
-def test_different_heights_are_counted_as_depths():
+def test_different_heights_of_pieces_are_counted_as_depths():
     heights = [np.array(z) for z in ([], [3.0], [3.0, 3.01], [-1.0, 0.0, -1.01, -2.0])]
     assert [count_depths(z) for z in heights] == [0, 1, 1, 3]
     assert [number_depths(z).tolist() for z in heights] == [[], [0], [0, 0], [1, 2, 1, 0]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measures for the learned trees, compared with values computed by hand, for drawn toolpaths."""
+"""The measures that the decision trees use, compared with values computed by hand, for drawn toolpaths."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_measures_of_a_zigzag_match_hand_calculation():
         "climbs": 0, "level": 1, "corners": 1, "smooth": 0, "one_way": links / length, "one_axis": (500 - links) / length,
         "two_axes": 1,
     })  # fmt: skip
-    # Of the 18 quarter turns, each pair turns in one sense, and is an arc of half a turn.
+    # The 18 quarter turns are 9 pairs. Each pair turns in one sense, and is an arc of half a turn.
     holds(found, {
         "half_arcs": 1, "short_arcs": 0, "long_arcs": 0, "sense_keeps": 9 / 17, "surprise": 0,
         "spread": sqrt(90) / 19 * log(50 / 3),
@@ -82,7 +82,7 @@ def test_measures_of_rings_at_two_depths_match_hand_calculation():
 
 
 def test_rings_of_even_depth_steps_are_even():
-    """Without the smallest and the largest tenth, the steps of 2, 3 and 4 mm spread from 2.2 to 3.8 mm."""
+    """The offsets are 2, 3 and 4 mm. Their 10th and 90th percentiles are 2.2 and 3.8 mm."""
     found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
     holds(
         found, {"evenness": log1p(1 + 1.6 / 3 / WATERLINES.ROUNDING), "ring_depths": log1p(4), "deeper": 1, "nested": 0}
@@ -95,7 +95,7 @@ def test_measures_of_one_ring_match_hand_calculation():
     holds(found, {**NO_ROWS, **NO_STROKES})
 
 
-def test_drift_of_round_rings_in_a_line_is_one():
+def test_drift_is_1_for_circles_moving_along_a_straight_line():
     """Circles of 10 mm are cut 2 mm apart on a straight line."""
     found = told(programs.program([polygon(20, x=2.0 * k, corners=48) for k in range(12)]))
     holds(found, {"drift": 1, "rings": log1p(12), "loops": 1, "smooth": 1, "corners": 0, "distinct": 1, "long_arcs": 1})
@@ -113,7 +113,7 @@ def test_measures_of_open_strokes_match_hand_calculation():
     ]
     found = told(programs.program(strokes))
     slanting = hypot(10, 0)
-    assert slanting == 10  # lengths are measured in the plane
+    assert slanting == 10  # Lengths are measured in the XY plane.
     holds(found, {
         "strokes": 1, "stroke_count": log1p(4), "climbs": 2 / 80, "level": 0.75, "areas": log1p(4), "alike_areas": 0,
         "closed_areas": 0, "area_v": hypot(10, 10) / 20, "one_way": hypot(40, 40) / 80, "one_axis": 0, "two_axes": 1,
@@ -124,14 +124,14 @@ def test_measures_of_open_strokes_match_hand_calculation():
     holds(found, {"stroke_length": 20 / extent, "stroke_slopes": 0.25})
 
 
-def test_turns_to_both_sides_cancel_in_one_sense_only():
+def test_left_and_right_turns_cancel_only_in_the_signed_measure():
     """One stroke bends to the left, and one stroke to the right."""
     found = told(programs.program([[(0, 0, 0), (10, 0, 0), (10, 10, 0)], [(50, 0, 0), (60, 0, 0), (60, -10, 0)]]))
     holds(found, {"net_turn": 1, "one_sense": 0, "sense_keeps": 0, "short_arcs": 1, "turned": log1p(0.5)})
 
 
 @pytest.mark.parametrize("aside, keeps", [(20, 1), (-20, 0)])
-def test_share_of_equal_senses_of_two_turns_is_measured(aside, keeps):
+def test_share_of_turns_in_the_sense_of_the_turn_before_is_found(aside, keeps):
     found = told(programs.program([[(0, 0, 0), (20, 0, 0), (20, 20, 0), (20 - aside, 20, 0)]]))
     holds(found, {"sense_keeps": keeps})
 
@@ -153,8 +153,11 @@ def test_star_in_one_stroke_turns_more_than_once():
     "degrees, kinds",
     [(100, "short"), (112, ""), (140, ""), (148, "half"), (212, "half"), (220, ""), (265, ""), (275, "long")],
 )
-def test_arcs_of_the_gauss_image_are_short_half_or_long(degrees, kinds):
-    """A stroke bends in one sense. Limits, in turns: short up to 0.3, half from 0.4 to 0.6, long from 0.75."""
+def test_arcs_are_classified_as_short_half_or_long_by_their_turn(degrees, kinds):
+    """A stroke bends in one sense by some degrees.
+
+    The limits in turns are: short up to 0.3, half from 0.4 to 0.6, long from 0.75.
+    """
     heading = np.radians(degrees) / 4 * np.arange(5)
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
     found = told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]]))
@@ -162,7 +165,7 @@ def test_arcs_of_the_gauss_image_are_short_half_or_long(degrees, kinds):
 
 
 @pytest.mark.parametrize("turn, keeps", [(1.5e-4, 1), (0.7e-4, 0)])
-def test_turn_below_a_ten_thousandth_is_straight(turn, keeps):
+def test_turn_below_a_ten_thousandth_counts_as_straight(turn, keeps):
     heading = turn * np.arange(5)
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 1000, axis=0)
     holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"sense_keeps": keeps})
@@ -175,7 +178,7 @@ def test_turns_within_fifteen_degrees_are_equal(other, surprise):
     holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"surprise": surprise})
 
 
-def test_surprise_is_the_entropy_of_the_turns():
+def test_surprise_is_the_entropy_of_the_turning_angles():
     """Turns by 1.7 rad and by 0.6 rad are equally frequent."""
     stroke, heading = [(0.0, 0.0)], 0.0
     for k in range(17):
@@ -214,8 +217,8 @@ def test_measures_of_straight_strokes_have_no_turns():
 
 
 @pytest.mark.parametrize("rows", [(3.0, 3.0), (3.0, 5.0)])
-def test_measures_of_a_grid_combine_both_families_of_rows(rows):
-    """Sums contain both families of rows of the grid. Proportions describe only the family with the longer rows."""
+def test_measures_of_a_grid_combine_the_rows_along_both_axes(rows):
+    """Sums include the rows along both axes. Proportions describe only the rows along the axis with the longer rows."""
     step, other = rows
     across = [[(0.0, step * k, 0.0), (60.0, step * k, 0.0)] for k in range(12)]
     down = [[(other * k, 0.0, 0.0), (other * k, 33.0, 0.0)] for k in range(12)]

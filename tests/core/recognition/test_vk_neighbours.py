@@ -45,7 +45,7 @@ def test_offsets_cut_back_and_forth_do_not_go_onward():
 def test_neighbour_of_a_stroke_is_one_of_the_last_three(lag):
     """The offsets of `lag` walls are cut alternately: one offset of each wall, then the next offset of each wall.
 
-    The first stroke of the first wall counts, although no stroke was cut before this stroke.
+    The first stroke of the first wall is included, although no stroke was cut before this stroke.
     """
     found = neighbours([line(100.0 * wall + 2.0 * k) for k in range(5) for wall in range(lag)])
     if lag > 3:
@@ -71,11 +71,11 @@ def test_distant_short_line_is_not_a_neighbour():
 def test_stroke_at_another_height_is_not_a_neighbour():
     assert neighbours([line(2.0 * k, z=-1.0 * k) for k in range(5)]) is None
     falling = [[(0.0, 2.0 * k, 5.0 - k), (50.0, 2.0 * k, -k)] for k in range(5)]
-    assert neighbours(falling).count == 5  # the heights of a sloped stroke are not compared
+    assert neighbours(falling).count == 5  # The heights of a sloped stroke are not compared.
 
 
 def test_neighbours_lie_side_by_side_for_most_of_their_length():
-    """At first, half of each stroke lies beside the next stroke; then, three quarters."""
+    """In the first case, half of each stroke lies beside the next stroke; in the second case, three quarters."""
     for onward in (1, -1):
         assert neighbours([line(2.0 * k, x=onward * 25.0 * k) for k in range(5)]) is None
         assert neighbours([line(2.0 * k, x=onward * 12.0 * k) for k in range(5)]).count == 5
@@ -96,7 +96,10 @@ def test_passes_that_spread_like_a_fan_are_not_even():
 
 @pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
 def test_offset_keeps_distance_within_thirty_percent(opens, even):
-    """The mean distance is 2 mm. The 10th and the 90th percentile of the distance differ by four fifths of `opens`."""
+    """The mean distance is 2 mm.
+
+    The difference between the 10th and 90th percentile of the distance is 0.8 * `opens`.
+    """
     found = neighbours([line((2.0 - opens / 2) * k, slant=opens * k) for k in range(5)])
     assert found.even == even and found.step == pytest.approx(2.0, rel=0.1)
 

@@ -43,18 +43,18 @@ def test_nested_squares_are_half_the_side_difference_apart():
     low, high, mean, step = inward(20.0, 16.0, 10.0)[1]
     assert low.tolist() == high.tolist() == mean.tolist() == step.tolist() == [2, 3]
     assert distance(20.0, 16.0, 10.0, lag=2) == [5]
-    low, high, mean, step = inward(10.0, 16.0)[1]  # the later square is the outer square
+    low, high, mean, step = inward(10.0, 16.0)[1]  # The later square is the outer square.
     assert (low[0], high[0], mean[0], step[0]) == (-3, -3, -3, 3)
 
 
 def test_ring_that_is_not_inside_is_not_an_offset():
     assert distance(20.0, 20.0, aside=1.0) == [0]
     assert distance(20.0, 16.0, aside=3.0) == [0]
-    assert distance(20.0, 16.0, aside=0.5) == [1.5]  # the nearest side gives the distance
+    assert distance(20.0, 16.0, aside=0.5) == [1.5]  # The nearest side gives the distance.
 
 
 def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):
-    """Return rectangles `steps` inside the first, except for their lower sides and the sides `low` (0 to 3)."""
+    """Return rectangles `steps` mm inside the first one, except on the lower side and on the sides `low` (0 to 3)."""
     steps = np.array(steps)
     sides = np.array([steps, 0 * steps, steps - wide, steps - tall])
     sides[list(low)] = sides[list(low), :1]
@@ -66,14 +66,16 @@ def test_offsets_may_share_the_open_side_of_a_pocket():
     assert open_pocket(0.0, 3.0, 6.0)[1][3] == pytest.approx([3, 3])
     assert open_pocket(0.0, 3.0, 6.0)[2][3] == pytest.approx([6])
     assert open_pocket(6.0, 3.0, 0.0)[1][3] == pytest.approx([3, 3])
-    assert open_pocket(0.0, 3.0, 6.0, low=[0])[1][3] == pytest.approx([3, 3])  # a pocket in a corner of the part
-    # one ring continues at the end of another ring
+    # The pocket is in a corner of the part, so two sides of the rings coincide.
+    assert open_pocket(0.0, 3.0, 6.0, low=[0])[1][3] == pytest.approx([3, 3])
+    # One ring continues at the end of another ring.
     assert open_pocket(0.0, 3.0, 6.0, low=[0, 2])[1][3].tolist() == [0, 0]
 
 
 def test_ring_sharing_a_side_is_an_offset_if_other_sides_move():
     assert distance(20.0, 16.0, aside=2.0) == [0]
-    assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]  # turns of a winding may end anywhere
+    # Turns of a winding can end anywhere, so a shared side does not show an open pocket.
+    assert open_pocket(0.0, 3.0, slack=2.0)[1][3].tolist() == [0]
 
 
 def square_inside(step, **drawn):
@@ -85,8 +87,11 @@ def square_inside(step, **drawn):
 
 
 @pytest.mark.parametrize("step, found", [(4.2, 0), (4.02, 2), (1.34, 1.34), (1.327, 1.327), (1.3, 0)])
-def test_box_moves_by_half_to_one_and_a_half_distances(step, found):
-    """2 mm are half of 4 mm, and one and a half times 1.33 mm. Differences of 0.02 mm are rounding."""
+def test_offset_sides_move_by_half_to_one_and_a_half_distances(step, found):
+    """All sides move by 2 mm, and the area changes as for a distance of `step`.
+
+    The 2 mm are half of 4 mm, and one and a half times 1.33 mm. Differences of 0.02 mm count as rounding.
+    """
     assert square_inside(step) == pytest.approx([found])
 
 
@@ -96,7 +101,7 @@ def test_ring_of_equal_area_may_be_twice_as_far(step, found):
 
 
 def reached(*sides, tool=0.0, z=None, areas=None):
-    """Return the largest distance in a nest, and the steps and drops from each ring to the next."""
+    """Return the largest distance between nested rings, and the steps and drops in height from ring to ring."""
     rings = inward(*sides, z=z)
     area = np.arange(len(sides)) if areas is None else np.array(areas)
     return reach(rings, tool, area), *next_steps(rings)
@@ -105,14 +110,16 @@ def reached(*sides, tool=0.0, z=None, areas=None):
 def test_rings_with_a_tool_are_within_its_reach():
     limit, steps, drops = reached(40.0, 36.0, 32.0, tool=3.0)
     assert limit == pytest.approx(3.6) and steps.tolist() == [2, 2] and drops.tolist() == [0, 0]
-    assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # both rings count as one ring
+    assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # The two rings count as one ring.
 
 
 def test_rings_without_a_tool_are_within_two_steps():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
-    assert reached(40.0, 38.0)[0] == pytest.approx(2)  # of two rings, a twentieth of the larger ring
+    # With only two rings, the largest distance is a twentieth of the larger ring.
+    assert reached(40.0, 38.0)[0] == pytest.approx(2)
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
-    assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)  # the repeat of a ring does not count as a step
+    # The repeat of a ring does not count as a step between rings.
+    assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)
 
 
 def test_reach_without_a_tool_needs_similar_steps():
@@ -152,7 +159,7 @@ def test_two_rings_linked_at_their_depth_are_a_pocket():
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 0, 1, 1])[0] == pytest.approx(20)
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 1, 1, 2])[0] == pytest.approx(
         2
-    )  # the rings are linked on a ramp
+    )  # The rings are linked on a ramp, not at their depth.
     # Only two of the five rings are linked at their depth.
     few = reached(40.0, 20.0, 40.0, 20.0, 40.0, z=[0, 0, -1, -1, -2], areas=[0, 0, 1, 2, 3])
     assert few[0] == pytest.approx(2)
@@ -160,7 +167,7 @@ def test_two_rings_linked_at_their_depth_are_a_pocket():
 
 
 def test_evenness_is_spread_in_the_plane_over_spread_in_depth():
-    """The middle four fifths of the values 0 to 10 spread by 8 around 5. A spread of 0.01 is rounding."""
+    """From the 10th to the 90th percentile, the values 0 to 10 spread by 8 around 5. A spread of 0.01 is rounding."""
     even, spread = np.full(11, 2.0), np.arange(11.0)
     assert evenness(even, spread) == pytest.approx(0.01 / 1.61)
     assert evenness(spread, even) == pytest.approx(1.61 / 0.01)
@@ -168,6 +175,6 @@ def test_evenness_is_spread_in_the_plane_over_spread_in_depth():
     assert evenness(spread, 0 * even) == evenness(even[:2], spread[:2]) == 0
 
 
-def test_middle_returns_the_median_or_the_lower_quartile():
+def test_middle_of_values_is_the_median_or_the_lower_quartile():
     assert middle(np.array([5.0, 1.0, 3.0])) == 3
     assert middle(np.array([7.0, 1.0, 5.0, 3.0, 2.0, 8.0, 6.0, 4.0]), 4) == 3

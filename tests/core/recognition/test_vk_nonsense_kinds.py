@@ -11,7 +11,7 @@ from vkworkbench.core.recognition import recognize
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_wunderlich_curve_visits_neighbouring_cells(seed):
+def test_wunderlich_curve_moves_from_cell_to_neighbouring_cell(seed):
     cells = nonsense.wunderlich(np.random.default_rng(seed))
     side = int(np.sqrt(len(cells)))
     assert side in (9, 27)

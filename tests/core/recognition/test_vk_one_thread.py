@@ -18,7 +18,7 @@ OTHER = {"solids.py", "stocks.py", "view.py"}
 
 
 def products(tree):
-    """Yield the lines on which numpy would call BLAS: matrix products, and numpy functions that contain them."""
+    """Yield the numbers of the lines on which numpy would call BLAS, for matrix products."""
     for node in ast.walk(tree):
         if isinstance(node, (ast.BinOp, ast.AugAssign)) and isinstance(node.op, ast.MatMult):
             yield node.lineno
@@ -32,6 +32,6 @@ def test_recognition_has_no_matrix_products(parse):
     assert {name: found for name, found in lines.items() if found} == {}
 
 
-def test_search_finds_all_matrix_products():
+def test_search_in_source_code_finds_all_matrix_products():
     code = "a @ b\na @= b\nnp.dot(a, b)\na.dot(b)\nnp.linalg.solve(a, b)\nnp.polyfit(x, y, 1)\ndot(a, b)\nnp.einsum('i,i', a, b)"
     assert sorted(products(ast.parse(code))) == [1, 2, 3, 4, 5, 6]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Areas are cut into pieces, and each piece is measured, for drawn toolpaths with known pieces."""
+"""Cut moves into pieces (loops, turns of windings, zigzags and strokes), and measure them, for drawn toolpaths."""
 
 from __future__ import annotations
 
@@ -89,14 +89,17 @@ def test_each_turn_of_a_winding_is_a_piece():
 @pytest.mark.parametrize("corners", [4, 48])
 @pytest.mark.parametrize("turned", [0.25, 12.25])
 def test_box_of_a_piece_contains_the_whole_piece(corners, turned):
-    """Boxes of few and of many points are computed differently. The piece begins at its right side or at its top."""
+    """Bounding boxes of few and of many points are computed differently.
+
+    The piece begins at its right side or at its top.
+    """
     drawn = polygon(20, x=100, y=50, corners=corners, turned=turned)
     low, high = np.min(drawn, axis=0)[:2], np.max(drawn, axis=0)[:2]
     (box,) = pieces_of(drawn).box
     assert box == pytest.approx([*low, *high])
 
 
-def test_heights_of_a_climbing_piece_are_measured():
+def test_rise_and_drop_of_a_climbing_piece_are_measured():
     """The path is level for 10 mm, rises by 6 mm over 20 mm, and is level for 10 mm."""
     pieces = pieces_of([(0, 0, 0), (10, 0, 0), (10, 20, 6), (20, 20, 6)], polygon(10, z=-1.0))
     assert pieces.z == pytest.approx([(0 + 3 * 20 + 6 * 10) / 40, -1])
@@ -105,7 +108,7 @@ def test_heights_of_a_climbing_piece_are_measured():
     assert pieces.flat.tolist() == [False, True]
     falling = pieces_of([(0, 0, 3), (10, 0, 3), (10, 20, -3), (20, 20, -3)])
     assert (falling.rise[0], falling.drop[0]) == pytest.approx((6, -6))
-    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])  # the drop is measured from the first point
+    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])  # The drop is measured from the first point.
     assert (at_once.rise[0], at_once.drop[0], at_once.last_z[0]) == pytest.approx((3, -2, 3))
 
 
@@ -117,7 +120,7 @@ def test_zigzag_that_ends_at_its_start_is_a_wavy_loop():
 
 @pytest.mark.parametrize(("rows", "kind"), [(2, STROKE), (3, ZIGZAG), (6, ZIGZAG)])
 def test_two_rows_are_not_a_zigzag(rows, kind):
-    """In three rows, the middle row has a neighbour on both sides. A third of the length is enough for a zigzag."""
+    """In three rows, only the middle row has neighbours on both sides. A third of the length is enough for a zigzag."""
     pieces = pieces_of(zigzag(rows))
     assert pieces.kind.tolist() == [kind] and pieces.passes.tolist() == [rows]
     assert not pieces.wavy.any()
@@ -154,8 +157,8 @@ def test_links_that_bulge_into_rows_are_not_passes():
     assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
 
 
-def test_two_moves_there_and_back_are_one_pass():
-    """Only pieces of three or more moves are searched for passes, at any place in the program."""
+def test_piece_of_two_opposite_moves_has_one_pass():
+    """A piece of two moves has one pass anywhere in the program; only longer pieces are divided into passes."""
     hairpin = [(0, 0, 0), (30, 0, 0), (0, 1, 0)]
     pieces = pieces_of(hairpin, zigzag(2), hairpin)
     assert pieces.kind.tolist() == [STROKE] * 3 and pieces.passes.tolist() == [1, 2, 1]
@@ -172,7 +175,8 @@ def test_alternating_half_turns_are_a_zigzag_if_long_enough(middle, kind):
 def test_stroke_mostly_back_and_forth_is_a_zigzag(rows, kind):
     """After the rows, the stroke continues around the rows.
 
-    The half-turns at the two ends of a pass are opposite for three (of four rows) or five passes, and equal for two.
+    The half-turns at both ends of a pass have opposite signs for three passes (with four rows) or five, and equal signs
+    for two.
     """
     top = 3.0 * (rows - 1)
     around = [(0, top + 3), (40, top + 3), (40, -10), (0, -10), (0, top + 6), (40, top + 6)]

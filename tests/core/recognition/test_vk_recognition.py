@@ -96,7 +96,7 @@ def test_evidence_of_nested_offsets_is_exact():
     assert back.level <= -5 and back.sense == "cw" and back.milling == "climb"
 
 
-def test_single_closed_loop_is_a_profile_of_level_1():
+def test_single_closed_loop_is_a_profile_with_one_full_turn():
     square = np.array([(0, 0), (30, 0), (30, 20), (0, 20), (0, 0)])
     found = recognize(cut(square))
     assert found.strategy is Strategy.PROFILE
@@ -204,7 +204,7 @@ def test_many_areas_are_recognised_without_python_loops():
     assert found.strategy is Strategy.ZIGZAG and found.passes == 20_000
 
 
-def test_unknown_toolpath_has_no_numbers():
+def test_unknown_toolpath_has_no_stepover_and_no_other_numbers():
     path = replace(cut([(0, 0), (5, 0), (5, 5)]), command=np.array([3, 7]))
     found = unknown(path, Message("moves-nothing"))
     assert "moves a tool" in found.reason
@@ -231,7 +231,7 @@ def test_span_of_an_operation_is_first_to_last_cut():
 def test_tiny_tool_diameter_is_used_and_zero_is_not(tool, known):
     """Two contours are 0.7 mm apart.
 
-    A tool of 0.5 mm leaves material between them. Without a tool, they are a pocket.
+    A tool of 0.5 mm leaves material between the contours. Without a tool, the contours are a pocket.
     """
     path = linearize(programs.program([polygon(60.0), polygon(58.6)]))
     assert recognize(path, tool_diameter=tool).stepover == (None if known else pytest.approx(0.7))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Joint decisions by rules and votes: measures independent of position, nonsense toolpaths, and reasons."""
+"""The strategy follows from rules and votes: measures independent of position, nonsense toolpaths, and reasons."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ from vkworkbench.core.recognition.verdict.model import FILE, Trees, shipped_mode
 from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.language import Message
 
-# Seeds of nonsense toolpaths. Most have 182 to 801 points, and some retract. Longer toolpaths show nothing more.
+# Seeds of nonsense toolpaths. Most of these toolpaths have 182 to 801 points, and some contain retracts. Longer
+# toolpaths would not test more.
 SEEDS = (1, 4, 6, 8)
 SOME = synthetic.SAMPLES[::3]
 
@@ -45,7 +46,8 @@ def test_measures_are_finite_and_do_not_depend_on_position(label, accepted, make
         assert set(features(one, Strategy.ZIGZAG, None, tool=True)) == set(shipped_model().names)
         assert np.isfinite(list(one.values())).all()
         changed = {name: (one[name], other[name]) for name in one if abs(one[name] - other[name]) > 0.05}
-        assert len(changed) <= 0.2 * len(one), changed  # measures from boxes and cell corners change slightly
+        # Measures computed from bounding boxes and cell corners change slightly.
+        assert len(changed) <= 0.2 * len(one), changed
 
 
 @pytest.mark.long
@@ -80,7 +82,7 @@ def test_few_holes_do_not_make_a_nonsense_path_drilling():
         else:
             commands.append(("G1", {"X": x, "Y": y, "F": 10.0}))
     path = linearize([*commands, ("G0", {"Z": 5.0})])
-    assert len(monotonous_areas(path).holes) >= 30  # enough holes, so that runs of holes become sections
+    assert len(monotonous_areas(path).holes) >= 30  # There are enough holes that successive holes form sections.
     assert recognize(path).strategy is Strategy.UNKNOWN
 
 
@@ -140,7 +142,7 @@ def test_closed_plane_filling_curve_is_not_a_contour(make):
 
 
 def votes_for(**shares):
-    """Return votes for strategies by name; _ stands for -."""
+    """Return the share of votes for each strategy; an underscore in a name stands for a hyphen."""
     votes = np.zeros(len(STRATEGIES))
     for name, share in shares.items():
         votes[STRATEGIES.index(Strategy(name.replace("_", "-")))] = share
@@ -184,9 +186,10 @@ def test_more_votes_make_the_confidence_higher():
 
 
 def test_tree_follows_its_questions_to_a_leaf():
-    """If x[1] <= 2, class 0.
+    """The first tree votes for class 0 if x[1] <= 2.
 
-    Else, if x[0] <= 0.5, half of the votes for each class, else class 1. The second tree votes for class 1.
+    Otherwise, it gives half of its vote to each class if x[0] <= 0.5, and votes for class 1 if x[0] > 0.5. The second
+    tree votes for class 1.
     """
     trees = Trees(
         feature=np.array([1, -1, 0, -1, -1, -1]),

@@ -14,17 +14,17 @@ from vkworkbench.core.recognition.thresholds import ROUNDING
 
 
 @pytest.mark.parametrize("number", [1, 2, 3, 8, 101, 1000])
-def test_median_equals_numpy(number):
+def test_fast_median_equals_the_median_of_numpy(number):
     rng = np.random.default_rng(number)
     for values in (rng.normal(size=number), rng.integers(0, 4, number).astype(float)):
         assert median(values) == np.median(values)
 
 
-def test_percentiles_by_row_equal_numpy():
+def test_fast_percentiles_by_row_equal_those_of_numpy():
     rng = np.random.default_rng(0)
     values, percent = rng.normal(size=(2000, 16)), (10, 50, 90)
     of = rng.random(values.shape) < rng.random((2000, 1))
-    of[:, 0] = True  # at least one value per row
+    of[:, 0] = True  # Each row has at least one value.
     of[:20] = True
     expected = np.nanpercentile(np.where(of, values, np.nan), percent, axis=1)
     assert np.array_equal(_percentiles(values, of, percent), expected)
@@ -37,7 +37,7 @@ def test_percentiles_by_row_equal_numpy():
         ([-1.0], 1),
         ([-1.0, -1.0 - ROUNDING.HEIGHT / 2], 1),
         ([0.0, 2 * ROUNDING.HEIGHT, 0.0], 2),
-        ([0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT], 1),  # each height is near the next height
+        ([0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT], 1),  # Each height is near the next height.
         ([-3.0, -1.0, -3.0, -2.0], 3),
     ],
 )

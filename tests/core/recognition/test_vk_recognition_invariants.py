@@ -134,7 +134,7 @@ def test_toolpath_of_divided_moves_keeps_its_strategy(made, data):
     again = recognize(split(path, np.resize(few, len(path))), tool_diameter=TOOL)
     assert again.strategy == found.strategy
     same_level(found, again)
-    if found.strategy != "adaptive":  # some bites overlap only just enough to be found
+    if found.strategy != "adaptive":  # Some bites overlap only just enough to be recognised as bites.
         assert again.passes == found.passes
 
 
@@ -224,7 +224,7 @@ def test_impossible_tool_diameter_counts_as_unknown(name):
 
 @given(anything)
 @settings(max_examples=25)
-def test_commands_around_the_cuts_change_nothing(made):
+def test_commands_before_and_after_the_cuts_do_not_matter(made):
     commands = commands_of(made)
     found = recognize(linearize(commands), tool_diameter=TOOL)
     around = [("(Created by hand)", {}), ("G21", {}), ("G90", {}), ("M3", {"S": 5000.0}), ("G0", {"X": -77.0, "Y": 55.0, "Z": CLEAR}),

@@ -67,7 +67,7 @@ def test_pattern_decides_and_entry_is_reported(commands, strategy, entry):
 @pytest.mark.parametrize("commands, strategy, entry", CASES, ids=NAMES)
 def test_lead_out_does_not_change_the_strategy(commands, strategy, entry):
     path = linearize(commands)
-    cutting = slice(1, None)  # the rapid to the start remains the first move
+    cutting = slice(1, None)  # The rapid to the start remains the first move.
     points = np.vstack([path.points[:1], path.points[cutting][::-1]])
     back = replace(path, points=points)
     assert recognize(back, tool_diameter=4.0).strategy is strategy
@@ -88,7 +88,7 @@ def test_ramp_along_a_contour_is_part_of_the_contour():
     assert recognize(path).strategy is Strategy.PROFILE
 
 
-def test_phi_restarts_in_areas_without_entries():
+def test_phi_starts_at_0_in_each_area_after_its_entry_is_removed():
     moves = monotonous_areas(linearize(helix() + rows() + [("G0", {"Z": 2.0})] + ramp() + rows()))
     pattern, wound = without_entries(moves)
     assert 0 < wound < 1 and len(pattern) < len(moves) and len(pattern.start) == len(moves.start)
@@ -161,7 +161,7 @@ def way_down(*points, x=0.0):
 
 SINGLE = [(0, 0, 0), (20, 0, -3)]
 RAMP = [(0, 0, 0), (20, 0, -1), (40, 0, -4)]
-CORNER = [(0, 0, 0), (20, 0, -1), (20, 20, -3)]  # a quarter turn is not a winding
+CORNER = [(0, 0, 0), (20, 0, -1), (20, 20, -3)]  # A quarter turn is not a winding.
 TO_AND_FRO = [(0, 0, 0), (20, 0, -1), (0, 0, -2), (20, 0, -3)]
 HELIX = [(4 * np.cos(a), 4 * np.sin(a) - 4, -5 * a / TURN) for a in np.linspace(0, TURN, 25)]
 DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
@@ -175,21 +175,21 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
         ([way_down(*CORNER)], "ramp"),
         ([way_down(*TO_AND_FRO)], "zigzag ramp"),
         ([way_down(*HELIX)], "helix"),
-        ([way_down(*RAMP), way_down(*TO_AND_FRO, x=100)], "ramp"),  # the ramp is 4 mm deep, and the zigzag ramp 3 mm
+        ([way_down(*RAMP), way_down(*TO_AND_FRO, x=100)], "ramp"),  # The ramp is 4 mm deep, and the zigzag ramp 3 mm.
         ([way_down(*TO_AND_FRO, x=100), way_down(*RAMP)], "ramp"),
-        # the ramps are 6 mm deep together, and the helix 5 mm
+        # The two ramps descend by 6 mm in total, and the helix descends by 5 mm.
         ([way_down(*SINGLE), way_down(*SINGLE, x=100), way_down(*HELIX, x=200)], "ramp"),
         ([way_down(*SINGLE), way_down(*TO_AND_FRO, x=100), way_down(*HELIX, x=200)], "helix"),
         ([way_down((0, 0, 0), (20, 0, -0.01)), way_down(*SINGLE, x=100)], "ramp"),
-        ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # no level move follows the helix
+        ([way_down(*RAMP), DOWN_ALL_ALONG], "ramp"),  # No level move follows the helix.
         ([DOWN_ALL_ALONG], None),
-        ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # a level move comes first
-        ([way_down((0, 0, 0), (20, 0, -0.01))], "plunge"),  # 0.01 mm is not a depth
-        ([[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]], None),  # only 40 of 120 mm are level
-        ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are level
+        ([[*way_down((0, 0, -1)), (50, 0, -1.5)]], "plunge"),  # A level move comes first.
+        ([way_down((0, 0, 0), (20, 0, -0.01))], "plunge"),  # A descent of 0.01 mm does not count as a ramp.
+        ([[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]], None),  # Only 40 of 120 mm are level.
+        ([[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]], "ramp"),  # 90 of 150 mm are level.
     ],
 )
-def test_entry_with_most_of_the_depth_is_reported(strokes, entry):
+def test_kind_of_entry_with_most_of_the_descent_is_reported(strokes, entry):
     assert find_entry(areas(*strokes)) == entry
 
 
@@ -198,7 +198,7 @@ WAYS_IN = [SINGLE, RAMP, CORNER, TO_AND_FRO, HELIX]
 
 @pytest.mark.parametrize("points", WAYS_IN, ids=["one move", "ramp", "around a corner", "to and fro", "helix"])
 def test_entry_is_not_part_of_pattern_unless_it_winds(points):
-    """Only the rectangle remains, beginning at the end of the entry. Only the helix of one turn counts as winding."""
+    """Without the entry, the rectangle remains. Only an entry by a helix of one turn counts as winding."""
     moves = areas(way_down(*points))
     pattern, wound = without_entries(moves)
     assert len(pattern) == len(moves) - (len(points) - 1) and not pattern.dz.any()
@@ -216,14 +216,17 @@ def test_sharp_turns_after_straight_entry_are_not_winding():
 
 
 @pytest.mark.parametrize("wider, leads", [(2.0, False), (4.0, True)])
-def test_helix_is_entry_if_the_path_leads_farther_out(wider, leads):
-    """The helix has a radius of 4 mm, in a box with a diagonal of 11.3 mm. A spiral follows at its lower end."""
+def test_helix_is_an_entry_if_the_path_leads_farther_out(wider, leads):
+    """The helix has a radius of 4 mm, so the diagonal of its bounding box is 11.3 mm.
+
+    A spiral follows at its lower end.
+    """
     moves = areas(winding(4, 4, 2, drop=2) + winding(4, 4 + wider, 3, z=-2)[1:])
     pattern, wound = without_entries(moves)
     assert len(moves) - len(pattern) == (72 if leads else 0) and bool(wound) is leads
 
 
-def test_only_leads_are_removed_from_several_areas():
+def test_entries_and_exits_are_removed_from_each_area():
     strokes = [way_down((0, 0, -1)), way_down(*HELIX, x=100), [*way_down(*SINGLE, x=200), (240, 0, 0)]]
     moves = areas(*strokes)
     pattern, wound = without_entries(moves)
@@ -241,7 +244,7 @@ def test_only_leads_are_removed_from_several_areas():
         ("-x- -x x---", [1, 1, 0], [1, 0, 3]),
     ],
 )
-def test_moves_before_first_and_after_last_are_counted(other, before, after):
+def test_moves_before_and_after_the_level_moves_are_counted(other, before, after):
     level = [[one == "x" for one in area] for area in other.split()]
     moves = areas(*([(10.0 * k, 5.0 * (k % 2), k - sum(area[:k])) for k in range(len(area) + 1)] for area in level))
     assert (_first(moves.start, moves.end, np.concatenate(level)) - moves.start).tolist() == before
@@ -249,7 +252,7 @@ def test_moves_before_first_and_after_last_are_counted(other, before, after):
 
 
 def out_and(*points, at=0.0):
-    """Return a path that is level around a bend, then follows the points, and continues 40 mm at the last height."""
+    """Return a path of two level moves, then through the points, and 40 mm along -Y at the last height."""
     x, y, z = points[-1]
     stroke = [(0, 0, 0), (6, 0, 0), (6, 8, 0), *points, (x, y - 40, z), (x + 5, y - 40, z)]
     return areas([(at + x, y - at, z) for x, y, z in stroke])
@@ -259,19 +262,19 @@ def out_and(*points, at=0.0):
 @pytest.mark.parametrize(
     ("points", "entry", "left"),
     [
-        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # the ramp ends at the start of the path
-        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # the ramp does not reach the start of the path
-        ([(0, 0, -2)], "plunge", 5),  # the tool returns on another line
-        ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # the way back is level
+        ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # The ramp ends at the start of the path.
+        ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # The ramp does not reach the start of the path.
+        ([(0, 0, -2)], "plunge", 5),  # The tool returns on another line.
+        ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # The way back is level.
     ],
 )
-def test_ramp_may_begin_with_a_level_move_out(points, entry, left, at):
+def test_ramp_back_on_the_line_of_a_level_move_is_an_entry(points, entry, left, at):
     moves = out_and(*points, at=at)
     assert find_entry(moves) == entry
     assert len(without_entries(moves)[0]) == left
 
 
-def test_removing_a_ramp_keeps_the_other_areas():
+def test_removing_the_ramp_of_one_area_keeps_the_other_areas():
     first = [(100, 0, -1), (140, 0, -1), (140, 5, -1)]
     out = [(0, 0, 0), (20, 0, 0), (0, 0, -1), (0, 40, -1), (5, 40, -1)]
     pattern, _ = without_entries(areas(first, out, first))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Borders between operations: tool changes, titles, depths and links at feed that separate operations, or do not."""
+"""Which tool changes, titles, depths and links at feed are borders between two operations of a program."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from vkworkbench.core.recognition.verdict.recognition import Recognition, Span
 from vkworkbench.language import Message
 
 TOOL = 5.0
-DEEPER = 0.7  # mm; different from all depth steps of the programs in this file
+DEEPER = 0.7  # Height in mm that differs from all depth steps of the programs in this file.
 
 MADE = {
     "zigzag": lambda size: programs.SOUND["zigzag"](int(6 * size), 60.0, 3.0, [-1.0]),
@@ -106,7 +106,7 @@ SAME_FAMILY = [("zigzag", "one-way"), ("contour-parallel", "profile"), ("spiral"
 @pytest.mark.parametrize("pair", SAME_FAMILY)
 @pytest.mark.parametrize("sizes", [(3, 2), (2, 3)])
 @pytest.mark.parametrize("turned", [False, True])
-def test_tool_change_divides_regardless_of_lengths(pair, sizes, turned):
+def test_tool_change_divides_operations_of_any_length(pair, sizes, turned):
     one, two = pair[::-1] if turned else pair
     found = recognize(linearize([*MADE[one](sizes[0]), ("M6", {"T": 2.0}), *MADE[two](sizes[1])]), tool_diameter=TOOL)
     assert [str(s.strategy) for s in found.spans] == [one, two], found.reason
@@ -115,7 +115,7 @@ def test_tool_change_divides_regardless_of_lengths(pair, sizes, turned):
 
 @pytest.mark.long
 @every
-def test_two_sections_of_one_strategy_are_this_strategy(name):
+def test_two_sections_of_one_strategy_are_not_mixed(name):
     # The second section is in another place, at another depth, or cut with another tool.
     sections = [linearize(MADE[name](size)) for size in (1, 2)]
     assert all(recognize(s, tool_diameter=TOOL).strategy == name for s in sections)
@@ -128,7 +128,7 @@ def test_two_sections_of_one_strategy_are_this_strategy(name):
             assert found.strategy == name, (depth, border, found.reason)
 
 
-def test_several_holes_in_sequence_have_borders_around_them():
+def test_several_holes_in_sequence_are_one_operation():
     rest = [("G0", {"Z": 5.0})]
     rectangle = [
         ("G1", {"Z": -1.0}),
@@ -173,20 +173,20 @@ def test_retract_at_feed_belongs_to_the_operation_before():
     assert [str(span.strategy) for span in found.spans] == ["profile", "drilling", "profile"]
 
 
-def test_single_canned_cycle_is_a_certain_border():
+def test_single_canned_cycle_between_cuts_is_its_own_operation():
     milling = programs.one_way(40)
     drilled = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G81", {"X": 300.0, "Y": 0.0, "Z": -9.0, "R": 2.0, "F": 5.0})]
     plunged = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 300.0, "Y": 0.0, "Z": -9.0})]
     for hole, certain in ((drilled, True), (plunged, False)):
         path = linearize([*milling, *hole, ("G0", {"Z": 5.0}), *milling])
         found = find_borders(replace(path, comments=()), monotonous_areas(path))
-        down = int(np.argmin(path.points[:, 2])) - 1  # the trajectory that ends at the bottom of the hole
+        down = int(np.argmin(path.points[:, 2])) - 1  # The trajectory that ends at the bottom of the hole.
         last = np.flatnonzero(~path.rapid[:down])[-1]
         assert found == ({int(last) + 1: True, down + 1: True} if certain else {})
 
 
-def test_plunges_are_borders_if_one_plunge_has_four_passes():
-    """One plunge beside five passes is a pass that the boundary clips to a point."""
+def test_plunge_beside_at_most_four_passes_is_a_hole():
+    """A plunge beside five passes is not a hole: it is a pass that the boundary clips to a point."""
     plunge = [("G0", {"X": 300.0, "Y": 0.0, "Z": 5.0}), ("G1", {"X": 300.0, "Y": 0.0, "Z": -9.0}), ("G0", {"Z": 5.0})]
     for rows, borders in ((4, True), (5, False)):
         path = replace(linearize([*programs.one_way(rows), *plunge]), comments=())
@@ -199,10 +199,11 @@ def test_plunges_are_borders_if_one_plunge_has_four_passes():
 @pytest.mark.parametrize(
     "places, borders",
     [
-        ([(0, -2.0), (10, -2.0), (20, -1.0)], False),  # the rest of a waterline's contours on a gentle slope
-        ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # the holes are as deep as the pocket
+        # The plunges are what remains of a waterline's contours on a gentle slope.
+        ([(0, -2.0), (10, -2.0), (20, -1.0)], False),
+        ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # The holes are as deep as the pocket.
         ([(0, -2.0), (10, -2.5), (20, -1.0)], True),
-        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # these moves are pecks in one hole
+        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # These moves are pecks in one hole.
     ],
 )
 def test_plunges_to_the_depths_of_contours_are_not_holes(places, borders):
@@ -264,7 +265,7 @@ def test_two_loops_or_three_passes_show_a_strategy(loops, passes, short):
 
 
 def beside(drilled, change=()):
-    """Return twelve loops of a pocket, 2.5 m in all, and `drilled` by 2 holes of 15 mm beside the pocket."""
+    """Return a pocket of twelve loops, 2.5 m long, and `drilled` times 2 holes, 15 mm deep, beside the pocket."""
     pocket = programs.SOUND["contour-parallel"](12, 36, 3.0, 10.0, [-1.0], 0.0)
     return [*pocket, *change, ("G0", {"X": 300.0}), *programs.SOUND["drilling"](drilled, 2, 20.0, "G81")]
 
@@ -276,7 +277,7 @@ def test_pattern_with_few_holes_keeps_its_strategy(program):
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.spans[1].share < 0.05
     assert found.reason.endswith(" A small part is drilling."), found.reason
-    assert found.passes == 12  # only the pattern is counted
+    assert found.passes == 12  # Only the loops of the pocket are counted.
 
 
 @pytest.mark.parametrize("program", [False, True])
@@ -289,7 +290,7 @@ def test_many_holes_or_another_tool_make_an_operation(drilled, change, program):
 
 
 def with_a_contour(pattern, share, *before):
-    """Return a pattern and a square contour with this share of the length, of which 10 mm are its way down."""
+    """Return a pattern and a square contour with a share of the total length; 10 mm of the contour are its plunge."""
     path = linearize(pattern)
     length = cutting_length(path, 0, len(path) - 1) * share / (1 - share)
     square = programs.program([polygon((length - 10) / 4, x=500)])
@@ -357,19 +358,19 @@ def test_another_tool_is_another_operation_in_a_program(loops, other):
 def test_more_than_two_hundred_titles_do_not_divide_a_program(titles, borders):
     path = linearize(programs.one_way(210))
     path = replace(path, comments=tuple((at, "title") for at in range(1, titles + 1)), tool_changes=np.array([5]))
-    # The tool change is one of the borders, or the only border.
+    # The tool change at trajectory 5 is one of the borders between operations, or the only border.
     found = find_borders(path, monotonous_areas(path))
     assert len(found) == max(borders, 1) and found[5] is True and sum(found.values()) == 1
 
 
 def told(strategy, *spans, **numbers):
-    """Return a recognition with the given spans, each (first, last, strategy, share)."""
+    """Return a recognition result with the given spans, each (first trajectory, last trajectory, strategy, share)."""
     spans = tuple(Span(first, last, first, last, one, share) for first, last, one, share in spans)
     return Recognition(strategy, numbers.pop("confidence", 0.9), Message("moves-nothing"), spans, **numbers)
 
 
-def test_loops_and_rows_in_one_section_are_separate_runs():
-    """The six pieces are a ring, a link, two rows, a link and a ring, with one to three moves each."""
+def test_loops_and_rows_in_one_section_are_separate_spans():
+    """The six pieces of the toolpath are a ring, a link, two rows, a link and a ring, with one to three moves each."""
     rings, rows = Strategy.PROFILE, Strategy.ZIGZAG
     section = SimpleNamespace(
         ring_pieces=np.array([1, 0, 0, 0, 0, 1], bool), row_pieces=np.array([0, 0, 1, 1, 0, 0], bool),
@@ -378,19 +379,19 @@ def test_loops_and_rows_in_one_section_are_separate_runs():
     )  # fmt: skip
     verdict = SimpleNamespace(parts=(told(rings), told(rows)))
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
-    section.ring_pieces[0] = False  # a lead-in, which belongs to the rows after it
+    section.ring_pieces[0] = False  # The first piece is a lead-in, which belongs to the rows after the lead-in.
     assert _runs(section, verdict, 2, 25) == [(2, 15, rows), (20, 25, rings)]
-    section.ring_pieces[1] = True  # the link belongs to the ring
+    section.ring_pieces[1] = True  # The link belongs to the ring after the link.
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
 
 
-def test_odds_of_difference_are_computed_from_both_confidences():
+def test_odds_of_two_strategies_follow_from_both_confidences():
     zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
     assert _odds_of_difference(zigzag, helix) == pytest.approx(0.4 / 0.6) == _odds_of_difference(helix, zigzag)
     assert _odds_of_difference(zigzag, told(Strategy.ZIGZAG)) == 0
     for other in (told(Strategy.UNKNOWN), told(Strategy.EMPTY)):
         assert _odds_of_difference(zigzag, other) == 0 == _odds_of_difference(other, zigzag)
-    # Adaptive clearing cuts a round area as a spiral, so the two strategies do not differ.
+    # Adaptive clearing cuts a round area as a spiral, so spiral and adaptive do not count as different strategies.
     spiral, adaptive = told(Strategy.SPIRAL), told(Strategy.ADAPTIVE)
     assert (
         _odds_of_difference(spiral, adaptive) == 0 == _odds_of_difference(adaptive, spiral)
@@ -434,28 +435,28 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
     "one, loops, passes, main, sure, program, differs",
     [
         (ROWS, 0, 3, AROUND, False, False, True),
-        (ROWS, 0, 2, AROUND, False, False, False),  # two passes do not show a strategy
+        (ROWS, 0, 2, AROUND, False, False, False),  # Two passes do not show a strategy.
         (ROWS, 0, None, AROUND, True, False, False),
         (AROUND, 1, None, ROWS, False, False, True),
         (AROUND, 1, 1, ROWS, True, False, True),
-        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # both strategies belong to one family of strategies
+        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # Both strategies belong to one family of strategies.
         (ROWS, 0, 3, Strategy.ONE_WAY, True, False, True),
         (ROWS, 0, 3, ROWS, True, False, False),
         (ROWS, 0, 0, Strategy.ONE_WAY, True, True, True),
         (ROWS, 0, 0, ROWS, True, True, False),
         (ROWS, 0, 0, AROUND, False, True, False),
-        (STROKES, 0, 9, ROWS, False, False, False),  # a title does not separate strokes
+        (STROKES, 0, 9, ROWS, False, False, False),  # A title does not separate strokes.
         (STROKES, 0, 9, ROWS, True, False, True),
         (ROWS, 0, 9, STROKES, False, False, False),
         (Strategy.UNKNOWN, 0, 9, ROWS, True, True, False),
         (ROWS, 0, 9, Strategy.UNKNOWN, True, True, False),
     ],
 )
-def test_border_divides_sections_of_different_strategy(one, loops, passes, main, sure, program, differs):
+def test_border_divides_sections_whose_strategies_clearly_differ(one, loops, passes, main, sure, program, differs):
     assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
 
 
-def test_longest_section_decides_if_no_section_agrees_with_whole():
+def test_longest_section_decides_if_none_agrees_with_the_whole():
     path = linearize(programs.one_way(10))
     whole, one = told(AROUND, (0, 39, AROUND, 1.0)), np.zeros(2, int)
 
@@ -470,7 +471,7 @@ def test_longest_section_decides_if_no_section_agrees_with_whole():
     assert agreed(rows, told(AROUND, (12, 30, AROUND, 1.0), passes=5)) is whole
     short, unknown_one = (told(s, (12, 30, s, 1.0), passes=1) for s in (STROKES, Strategy.UNKNOWN))
     for little in (short, unknown_one):
-        assert agreed(rows, little) is whole  # the longest section has 0.6 of the length, but no strategy
+        assert agreed(rows, little) is whole  # The longest section has 0.6 of the length, but no strategy.
         assert agreed(rows, little, share=(0.6, 0.4)).spans[0].strategy is ROWS
     mixed = told(Strategy.MIXED, (12, 20, AROUND, 0.5), (21, 30, ROWS, 0.5), closed_loops=2)
     spans = [(s.first, s.last, s.strategy) for s in agreed(rows, mixed).spans]

@@ -28,7 +28,7 @@ def test_synthetic_strokes_have_their_strategy(label, accepted, make, seed):
     for tool in (
         None,
         0.5 if label.startswith("text") or "word" in label else 4.0,
-    ):  # letters are engraved with a thin tool
+    ):  # Letters are engraved with a thin tool.
         found = recognize(path, tool_diameter=tool)
         assert str(found.strategy) in accepted, found.reason
 
@@ -45,16 +45,16 @@ def test_open_strokes_keep_strategy_if_scaled_or_mirrored(make, strategy, scale)
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))
-def test_stepover_of_open_offsets_is_their_step(seed):
+def test_stepover_of_open_offsets_is_their_distance(seed):
     draws = np.random.default_rng(seed)
-    draws.uniform()  # the first value is the angle
+    draws.uniform()  # The first random value is the angle.
     step = draws.uniform(0.8, 1.8)
     found = recognize(linearize(open_offsets(np.random.default_rng(seed))))
     assert found.stepover == pytest.approx(step, rel=0.05) and found.passes >= 5
 
 
 @pytest.mark.parametrize("seed", range(SEEDS))
-def test_contour_without_its_detours_turns_once(seed):
+def test_contour_without_its_corner_reliefs_makes_one_full_turn(seed):
     moves = monotonous_areas(linearize(dogbones(np.random.default_rng(seed), levels=1)))
     kept = without_spurs(moves)
     assert len(moves) - len(kept) == 2 * len(moves.reversals) > 0 and not len(kept.reversals)
@@ -63,7 +63,7 @@ def test_contour_without_its_detours_turns_once(seed):
     assert recognize(linearize(dogbones(np.random.default_rng(seed), levels=1))).reversals == len(moves.reversals)
 
 
-def test_passes_back_over_themselves_are_not_spurs():
+def test_passes_cut_back_on_the_same_line_are_not_detours():
     moves = monotonous_areas(linearize(ramps(np.random.default_rng(0), count=6, level=False)))
     assert len(moves.reversals) and without_spurs(moves) is moves
 
@@ -87,7 +87,7 @@ def test_entry_is_reported_with_the_strategy():
     assert told(ramped(True))[1] == "zigzag ramp"
     assert told(programs.helix()) == ("helix", None)
     assert told(programs.drilling())[1] is None
-    for seed in range(SEEDS):  # ten turns of ramp before three offsets are not a profile
+    for seed in range(SEEDS):  # A helical ramp of ten turns before three offsets does not make the strategy a profile.
         assert told(entered(np.random.default_rng(seed))) == ("contour-parallel", "helix")
 
 

@@ -56,7 +56,7 @@ def test_zigzag_with_thousands_of_exact_reversals_is_a_zigzag():
     assert found.strategy is Strategy.ZIGZAG
 
 
-def test_reversals_with_rounding_do_not_add_levels():
+def test_reversals_with_rounding_errors_do_not_add_full_turns():
     # Rounding of 0.001 mm gives turns of almost pi a random sign.
     rng = np.random.default_rng(5)
     program = list(START)
@@ -183,7 +183,7 @@ def test_misleading_titles_do_not_change_the_strategy(name, commands, truth):
     assert strategy([(name, {}), *commands]) is truth
 
 
-def test_noise_of_a_micrometre_does_not_change_the_level():
+def test_noise_of_a_micrometre_adds_no_full_turns():
     rng = np.random.default_rng(2)
     program = list(START)
     for name, words in rows()[2:]:
@@ -193,7 +193,7 @@ def test_noise_of_a_micrometre_does_not_change_the_level():
     assert found.strategy is Strategy.ZIGZAG and found.level == 0
 
 
-def test_clockwise_zigzag_stays_on_level_0():
+def test_phi_of_clockwise_zigzag_stays_between_minus_pi_and_0():
     mirrored = [(n, {a: -v if a == "Y" else v for a, v in w.items()}) for n, w in rows()]
     found = recognize(linearize(mirrored))
     assert found.strategy is Strategy.ZIGZAG and found.level == 0
@@ -307,7 +307,7 @@ def test_pocket_after_an_entry_helix_of_any_length_is_recognized(turns, even, fo
     assert told.stepover == pytest.approx(step, abs=0.02)
 
 
-def test_stepover_of_a_lattice_is_its_period():
+def test_stepover_of_crossed_rows_is_the_period_of_the_pattern():
     # On the way back, the passes lie 0.6 mm beside the passes of the way out.
     program = [START[0]]
     for along, across in (("X", "Y"), ("Y", "X")):
@@ -321,7 +321,7 @@ def test_stepover_of_a_lattice_is_its_period():
     assert found.stepover == pytest.approx(2.0)
 
 
-def test_reasons_use_singular_and_signs_like_people():
+def test_reasons_use_the_singular_for_one_and_signs_for_turns():
     one = recognize(linearize(squares([20])))
     assert "over one loop" in one.reason and "+1.00 turns" in one.reason
     straight = recognize(linearize([*START, ("G1", {"X": 50.0})]))
@@ -331,7 +331,7 @@ def test_reasons_use_singular_and_signs_like_people():
 @pytest.mark.parametrize("turn", [1, -1])
 @pytest.mark.parametrize("count", [5, 8, 15, 33])
 def test_contour_through_the_start_of_a_zigzag_finishes_the_rows(count, turn):
-    # The zigzag and the first half of the contour return to the start after one net turn, but are not a loop.
+    # The zigzag plus the first half of the contour returns to the start after one net turn, but is not a loop.
     width, step = 30.0, 7.0
     end = (count - 1) * step
     corners = [(0.0, 0.0), (end, 0.0), (end, width), (0.0, width)]
@@ -355,14 +355,14 @@ def inward(wobble=0.0, digits=6, waves=100):
     return program + [("G1", {"X": x, "Y": y}) for x, y in points[1:]]
 
 
-def test_winding_with_many_corrections_is_adaptive():
+def test_spiral_with_many_small_corrections_is_adaptive():
     assert strategy(inward(wobble=0.03), tool_diameter=6.0) is Strategy.ADAPTIVE
     assert strategy(inward(wobble=0.13, waves=20), tool_diameter=6.0) is Strategy.ADAPTIVE
     assert strategy(inward(), tool_diameter=6.0) is Strategy.SPIRAL
 
 
 @pytest.mark.parametrize("digits", [2, 3])
-def test_rounding_of_a_fine_spiral_is_not_a_step_aside(digits):
+def test_spiral_of_short_rounded_moves_is_a_spiral(digits):
     assert strategy(inward(digits=digits), tool_diameter=6.0) is Strategy.SPIRAL
 
 

@@ -31,7 +31,10 @@ def slots(count, length=14.0, depth=6.0):
 
 
 def holes(count, up="G0", across="G0"):
-    """Return holes in a row along X. The moves between them may be at feed, because some programs have no rapids."""
+    """Return holes in a row along X.
+
+    The moves between the holes can be at feed (G1), because some programs have no rapids.
+    """
     program = [("G0", {"X": 0.0, "Y": 0.0, "Z": SAFE})]
     for k in range(count):
         program += [(across, {"X": 10.0 * k, "Z": SAFE}), ("G1", {"Z": -20.0}), (up, {"Z": SAFE})]
@@ -55,7 +58,7 @@ def test_mill_program_without_y_is_not_a_lathe(program):
     assert "lathe" not in recognize(linearize(program)).reason
 
 
-def test_single_move_in_y_shows_a_mill():
+def test_program_with_a_single_move_in_y_is_not_for_a_lathe():
     program = [*turning(12), ("G1", {"Y": 0.5})]
     assert "lathe" not in recognize(linearize(program)).reason and not is_turned(linearize(program))
 
@@ -79,7 +82,7 @@ def test_lathe_passes_are_mostly_along_z(length, lathe):
 
 
 def test_lathe_passes_may_all_end_at_one_x():
-    """Only the X of the cuts counts. The lead-outs may all end at one X, for example at a collar."""
+    """Only the X of the cuts must differ. All lead-outs can end at one X, for example at a collar."""
     program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
     for x in (29.0, 28.0, 27.0):
         program += [("G0", {"X": x}), ("G1", {"Z": -40.0}), ("G1", {"X": 30.0}), ("G0", {"Z": 2.0})]

@@ -54,8 +54,8 @@ def test_most_programs_of_two_operations_are_divided():
 
 
 @pytest.mark.parametrize("name", DIFFERENT)
-def test_operation_that_retracts_within_itself_is_one_span(name):
-    # The operation is repeated at four places of the part, like the pockets of one operation.
+def test_operation_with_retracts_within_it_is_one_span(name):
+    # The cuts are repeated at four places of the part, like the pockets of one operation.
     path = linearize(DIFFERENT[name])
     program = DIFFERENT[name]
     for x in (150.0, 300.0, 450.0):
@@ -72,7 +72,7 @@ def test_operation_that_retracts_within_itself_is_one_span(name):
     assert found.strategy == name and len(found.spans) == 1, found.reason
 
 
-def test_visits_lie_between_retracts_to_the_top_height():
+def test_toolpath_is_divided_at_retracts_to_the_top_height():
     path = after(DIFFERENT["profile"], DIFFERENT["helix"])
     visits = find_visits(path, monotonous_areas(path))
     top = path.points[:, 2].max()
@@ -82,20 +82,23 @@ def test_visits_lie_between_retracts_to_the_top_height():
         assert values.shape == (len(visits) - 1,) and np.isfinite(values).all()
 
 
-def test_border_is_at_the_top_before_the_descent():
+def test_border_of_operations_is_at_the_top_before_a_descent():
     path = after(DIFFERENT["zigzag"], DIFFERENT["drilling"])
     for at in find_retracts(path, monotonous_areas(path)):
         assert path.points[at, 2] == path.points[:, 2].max() and path.rapid[at]
 
 
 @pytest.mark.parametrize("commands", [[], [("G0", {"X": 5.0})], [("G1", {"X": 5.0, "Y": 1.0})]])
-def test_paths_with_almost_no_moves_have_no_borders(commands):
+def test_paths_with_almost_no_moves_are_not_divided(commands):
     path = linearize(commands)
     assert find_retracts(path, monotonous_areas(path)) == {}
 
 
 def test_descending_retracts_do_not_recurse_deeply():
-    """Each block begins lower than the block before, so every retract is the highest of the retracts that follow."""
+    """Each retract is lower than the retract before.
+
+    The program is divided at the highest retract first, 1,100 times.
+    """
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 3310.0})]
     for k in range(1100):
         x, corner = 200.0 * k, 5.0
@@ -105,7 +108,7 @@ def test_descending_retracts_do_not_recurse_deeply():
     assert len(recognize(linearize(commands), program=True).spans) >= 1
 
 
-def test_most_probable_borders_are_kept_if_too_many(monkeypatch):
+def test_most_probable_borders_between_operations_are_kept(monkeypatch):
     path = after(DIFFERENT["zigzag"], [*DIFFERENT["helix"], ("G0", {"Z": programs.CLEAR}), *DIFFERENT["profile"]])
     moves = monotonous_areas(path)
     every = find_retracts(path, moves)
@@ -114,8 +117,8 @@ def test_most_probable_borders_are_kept_if_too_many(monkeypatch):
     assert kept == max(every.values()) > min(every.values())
 
 
-def test_program_with_many_certain_borders_gets_no_more_borders(monkeypatch):
-    """If it got more borders, each stretch between two borders would be recognised, without an effect on the result."""
+def test_program_with_many_certain_borders_gets_no_further_ones(monkeypatch):
+    """Further borders would cost time, because each stretch is recognised, and would not change the result."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(120):
         x, y = 30.0 * (k % 12), 25.0 * (k // 12)
@@ -142,7 +145,7 @@ def test_operations_are_divided_only_in_programs():
 
 
 @pytest.mark.parametrize("depths", [[-1.0, -2.0], [-2.0]], ids=["several retracts between them", "one retract"])
-def test_operations_between_tool_changes_divide_at_own_top(depths):
+def test_operations_between_tool_changes_divide_at_their_own_top(depths):
     one, two, three = programs.SOUND["zigzag"](14, 60.0, 3.0, depths), DIFFERENT["helix"], DIFFERENT["profile"]
     up = [("G0", {"Z": programs.CLEAR + 100.0})]
     path = linearize([*one, ("G0", {"Z": programs.CLEAR}), *two, *up, *three, *up, *one])
@@ -183,7 +186,7 @@ def test_box_of_a_visit_includes_its_last_move():
 
 
 @pytest.mark.parametrize(("corner", "same"), [((20.0, 20.0), 1.0), ((29.0, 20.0), 0.0), ((20.0, 29.0), 0.0)])
-def test_visits_with_equal_corners_have_the_same_ground(corner, same):
+def test_visits_with_equal_bounding_boxes_cut_the_same_area(corner, same):
     def rectangle(x, y):
         corners = ((x, 0.0), (x, y), (0.0, y), (0.0, 0.0))
         return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
@@ -193,14 +196,14 @@ def test_visits_with_equal_corners_have_the_same_ground(corner, same):
 
 
 @pytest.mark.parametrize(("gap", "closed"), [(2.8, 1), (3.2, 0)])
-def test_block_is_closed_within_three_percent_gap(gap, closed):
+def test_path_with_a_gap_below_three_percent_counts_as_closed(gap, closed):
     around = [(0, 0, 0), (25, 0, 0), (25, 25, 0), (0, 25, 0), (0, gap, 0)]
     path = linearize(programs.program([around, [(x + 100, y, z) for x, y, z in around]]))
     assert find_visits(path, monotonous_areas(path)).closed.tolist() == [closed] * 2
 
 
 def two_visits(**changed):
-    """Return two visits that differ in every measure."""
+    """Return two visits (trajectories between two retracts to the top) that differ in every measure."""
     told = {
         "first": [0, 10], "last": [8, 20], "blocks": [2, 6], "low": [[0, 0], [10, 0]], "high": [[30, 40], [50, 40]],
         "bottom": [-2, -5], "top": [0, -1], "begin": [0, -3], "length": [100, 50], "feed": [10, 5], "fastest": [20, 20],
@@ -229,9 +232,10 @@ def test_measures_of_two_visits_match_hand_calculation():
         "visits": np.log(2), "again": 0, "again_above": 0,
     }  # fmt: skip
     assert told == pytest.approx(expected)
-    # If the visits are swapped, only the measures of the higher visit change.
+    # If the two visits are swapped, only the measures of the visit that is higher change.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
-    expected.update({"again": shared / one, "again_above": shared / one})  # share of the second visit's ground
+    # The share refers to the area of the second visit.
+    expected.update({"again": shared / one, "again_above": shared / one})
     found = compare_visits(backwards(two_visits()))
     assert {name: found[name].item() for name in expected} == pytest.approx(expected)
 
@@ -243,9 +247,9 @@ def test_measures_of_two_visits_match_hand_calculation():
         ("fastest", [20, 20.1], "same_feed"),
     ],
 )  # fmt: skip
-def test_rounding_does_not_separate_visits(name, values, measure):
+def test_visits_with_differences_by_rounding_are_similar(name, values, measure):
     assert compare_visits(two_visits(**{name: values}))[measure] == 1
-    apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # differences of 0.03 mm, or 1.5 % of the feed
+    apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # The difference is 0.03 mm, or 1.5 % of the feed.
     assert compare_visits(two_visits(**{name: apart}))[measure] == 0
 
 
@@ -255,26 +259,26 @@ def test_rounding_does_not_separate_visits(name, values, measure):
         ([[10, 10], [10, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [12, 10]], [[30, 40], [30, 40]], 0),
         ([[10, 10], [10, 10]], [[30, 40], [30, 42]], 0),
-        # the tolerance is a hundredth of the diagonal and 0.1 mm, in all 0.46 mm
+        # The tolerance is a hundredth of the diagonal plus 0.1 mm, in total 0.46 mm.
         ([[10, 10], [10.4, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [10.5, 10]], [[30, 40], [30, 40]], 0),
     ],
 )
-def test_visits_within_a_hundredth_have_the_same_ground(low, high, same):
+def test_boxes_of_visits_that_differ_by_a_hundredth_are_the_same(low, high, same):
     told = compare_visits(two_visits(low=low, high=high))
     assert told["same_ground"] == same
 
 
-def test_axes_of_visits_differ_by_their_angle():
+def test_main_axes_of_visits_are_compared_by_their_angle():
     """An axis is stored as a direction at twice its angle.
 
-    Tested are an equal axis, half its length, and a right angle.
+    The axis is compared with an equal axis, with half its length, and with an axis at a right angle.
     """
     for other, differ in ((1, 0), (0.5, 0.5), (-1, 2)):
         assert compare_visits(two_visits(axis=[1, other]))["axis"] == pytest.approx(differ)
 
 
-def test_visits_in_separate_places_share_no_ground():
+def test_visits_in_separate_places_have_no_common_area():
     told = compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
     told = compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))
@@ -282,8 +286,8 @@ def test_visits_in_separate_places_share_no_ground():
     assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0
 
 
-def test_ground_of_recent_visit_is_cut_again():
-    """After ten squares of 10 mm side by side, half of a square is cut again, at its depth, above it or below it."""
+def test_area_cut_again_is_found_among_the_last_eight_visits():
+    """After ten squares of 10 mm side by side, half of a square is cut again, at the same depth, higher or lower."""
     low = np.array([[20.0 * k, 0.0] for k in range(10)])
     for back, place in ((1, 9), (8, 2), (9, 1)):
         for z, again, above in ((-1.0, 1, 0), (-0.5, 1, 1), (-2.0, 0, 0)):
@@ -296,7 +300,7 @@ def test_ground_of_recent_visit_is_cut_again():
                 bottom=np.append(np.full(10, -1.0), z),
             )
             found = compare_visits(visits)
-            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # a visit nine visits back is not compared
+            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # A visit nine visits back is not compared.
             last = found["again"][-1], found["again_above"][-1]
             assert last == pytest.approx((again * half, above * half)), (back, z)
             assert not found["again"][:-1].any() and not found["again_above"][:-1].any()
@@ -323,9 +327,9 @@ def test_contour_around_rows_finishes_their_walls():
 
     at = [len(linearize(rows))]
     assert borders(contour(-1.0), 0.4) == []
-    assert borders(contour(-1.0), 0.6) == at  # the retract divides by its own probability
-    assert borders(contour(-2.0), 0.4) == at  # the contour is deeper
-    assert borders(contour(-1.0, out=9.0), 0.4) == at  # the contour is around another area
+    assert borders(contour(-1.0), 0.6) == at  # The retract divides by its own probability.
+    assert borders(contour(-2.0), 0.4) == at  # The contour is deeper.
+    assert borders(contour(-1.0, out=9.0), 0.4) == at  # The contour is around another area.
 
 
 def in_turns(count, *drawn):
@@ -348,7 +352,7 @@ def test_alternating_strategies_are_one_operation(count):
     assert dividing_retracts(Sections(path, TOOL), [], dict.fromkeys(begins, 0.2)) == (begins if count < 4 else [])
 
 
-def test_doubtful_retract_divides_by_odds_or_votes():
+def test_doubtful_retract_divides_by_strategies_or_probability():
     path, (at,) = in_turns(2, ROWS, SPIRAL)
     one, two = Sections(path, TOOL).between([at])
     for odds, parts in ((0.58, []), (0.62, [at])):
@@ -368,8 +372,8 @@ def test_descent_from_the_top_is_not_a_retract():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_series_is_the_share_of_equal_neighbouring_visits():
-    tops = [0, 0, 5, 9, 9]  # neighbouring heights are equal, different, different, equal
+def test_series_measure_is_share_of_equal_neighbouring_visits():
+    tops = [0, 0, 5, 9, 9]  # Neighbouring heights are equal, different, different, equal.
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     found = compare_visits(replace(visits, top=np.array(tops, float)))
     assert found["same_top"].tolist() == [1, 0, 0, 1]
@@ -377,7 +381,7 @@ def test_series_is_the_share_of_equal_neighbouring_visits():
 
 
 def test_measures_of_one_visit_match_hand_calculation():
-    """The first visit is a square and a deeper, faster line. The second visit is a line back and a hole."""
+    """The first visit consists of a square and a deeper, faster line, the second visit of a line back and a hole."""
 
     def lines(*points, z, feed):
         yield "G1", {"Z": z, "F": feed}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Relations between rings (nested, repeated, deeper) of drawn loops. The rules and the reasons depend on them."""
+"""Relations between rings (nested, repeated, deeper) of drawn loops, on which the strategy depends."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ RELATIONS = ("nested", "deeper", "repeated", "moved", "crossing")
 
 
 def rings_of(strokes, tool=TOOL):
-    """Return the rings among strokes, which are lists of points (x, y, z)."""
+    """Return the rings of a toolpath of strokes, which are lists of points (x, y, z)."""
     pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
     return relate_rings(pieces, np.flatnonzero(np.isin(pieces.kind, (LOOP, WINDING))), tool)
 
 
 def related(rings):
-    """Return the relations of each ring as sets of names."""
+    """Return the names of the relations of each ring to other rings, as a list of sets."""
     return [{name for name in RELATIONS if getattr(rings, name)[i]} for i in range(len(rings))]
 
 
@@ -48,13 +48,16 @@ def test_large_ring_repeats_at_depth_within_a_quarter_mm(inward, relation):
 
 @pytest.mark.parametrize(("inward", "relation"), [(0.85, "repeated"), (0.95, "deeper")])
 def test_large_ring_a_quarter_reach_inside_is_another_ring(inward, relation):
-    """A tool of 3 mm reaches 3.6 mm. Two thousandths of the ring's 1000 mm would be 2 mm, which is too much."""
+    """The largest stepover of a tool of 3 mm is 3.6 mm.
+
+    Two thousandths of the ring's 1000 mm would be 2 mm, which is too much.
+    """
     assert related(rings_of([polygon(1000), polygon(1000 - 2 * inward, z=-1.0)], 3.0)) == [{relation}] * 2
 
 
 @pytest.mark.parametrize("side", [60, 600])
 def test_offset_distance_does_not_depend_on_part_size(side):
-    """The step is a fifth of the tool, and for the larger part only 0.2 % of its size."""
+    """The step is a fifth of the tool's diameter. For the larger part, the step is only 0.2 % of the part's size."""
     rings = rings_of([polygon(side - 2.4 * i) for i in range(5)])
     assert related(rings) == [{"nested"}] * 5 and rings.step == pytest.approx(1.2)
 
@@ -67,7 +70,7 @@ def test_island_rings_may_interrupt_boundary_rings(nests):
     assert rings.step == pytest.approx(2.0) and rings.growing == 0.0
 
 
-def test_rings_of_four_nests_in_turn_are_not_compared():
+def test_rings_of_four_pockets_cut_alternately_are_not_compared():
     rings = rings_of([polygon(side, x=100 * nest) for side in (40, 36, 32) for nest in range(4)])
     assert rings.alone.all() and math.isnan(rings.step) and math.isnan(rings.growing)
 
@@ -103,26 +106,26 @@ def box(left, bottom, right, top):
     return [(x, y, 0), (u, y, 0), (u, v, 0), (x, v, 0), (x, y, 0)]
 
 
-def test_rings_with_three_equal_sides_have_no_relation():
+def test_rings_with_three_common_sides_are_not_nested():
     for pair in ([box(3, 0, 0, 0), polygon(40)], [polygon(40), box(3, 0, 0, 0)]):
         assert related(rings_of(pair)) == [set()] * 2
 
 
 @pytest.mark.parametrize("left, nested", [(0.9, False), (1.1, True)])
-def test_each_side_of_an_offset_moves_by_half_the_step(left, nested):
-    """The other sides move by 2.4 mm, and the mean distance of the rings is 2.03 or 2.08 mm."""
+def test_each_side_of_an_offset_moves_by_at_least_half_the_step(left, nested):
+    """The left side moves by 0.9 or 1.1 mm, the other sides by 2.4 mm. The mean distance is 2.03 or 2.08 mm."""
     assert rings_of([polygon(40), box(left, 2.4, 2.4, 2.4)]).nested.tolist() == [nested] * 2
 
 
 def squares(*steps, first=300.0):
-    """Return nested squares with the given distances between neighbours, mm."""
+    """Return nested squares; `steps` are the distances from each square to the next, mm."""
     return [polygon(first - 2 * inside) for inside in np.cumsum([0.0, *steps])]
 
 
 @pytest.mark.parametrize("steps", [[10] * 5, [10, 10, 10, 19, 19, 19]])
 @pytest.mark.parametrize("tool, nested", [(6.0, False), (0.0, True)])
 def test_even_steps_are_a_pocket_without_a_tool(steps, tool, nested):
-    """The steps are larger than the reach of a tool of 6 mm, and all are less than twice the usual step."""
+    """The steps are larger than the largest stepover of a tool of 6 mm, and less than twice the usual step."""
     assert rings_of(squares(*steps), tool).nested.tolist() == [nested] * (len(steps) + 1)
 
 
@@ -132,28 +135,28 @@ def test_contour_at_several_depths_is_one_ring():
     assert (rings.depths, rings.distinct, rings.depth_range) == (3, 1, 4.0)
 
 
-def test_pocket_at_two_depths_is_not_a_stack():
+def test_rings_of_a_pocket_at_two_depths_are_not_stacked():
     rings = rings_of([polygon(side, z=z) for z in (0, -2) for side in (48, 44, 40, 36, 32)])
     assert related(rings) == [{"nested", "repeated"}] * 10
     assert not rings.stacked.any()
     assert (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (2, 5, 2.0, 0.0)
 
 
-def test_ring_may_be_without_a_repeat_at_another_depth():
+def test_contours_repeat_at_depth_even_if_one_has_no_repeat():
     rings = rings_of(
         [polygon(20, x=x, z=z) for z in (0, -2) for x in (0, 100, 200, 300, 400, 500)] + [polygon(20, x=900)]
     )
     assert related(rings)[:12] == [{"repeated"}] * 12 and related(rings)[12] == set()
 
 
-def test_contours_that_grow_with_depth_are_deeper():
+def test_contours_that_grow_with_depth_have_the_relation_deeper():
     rings = rings_of([polygon(20 + 4 * i, z=-float(i)) for i in range(6)])
     assert related(rings) == [{"deeper"}] * 6
     assert (rings.depths, rings.distinct, rings.depth_range) == (6, 6, 5.0)
     assert math.isnan(rings.step)
 
 
-def test_evenness_of_three_depths_is_measured():
+def test_evenness_is_measured_from_three_depths_on():
     rings = rings_of([polygon(20 + 4 * i, z=-float(min(i, 2))) for i in range(4)])
     assert rings.depths == 3 and 0 < rings.evenness < 0.1
 
@@ -173,13 +176,13 @@ def test_deeper_contour_in_another_place_has_no_relation():
 @pytest.mark.parametrize(
     "step, size, moves", [(0.25, 1.0, True), (9.0, 1.0, True), (6.0, 1.1, True), (11.0, 1.0, False), (1.0, 0.5, False)]
 )
-def test_overlapping_circles_of_one_size_are_moved(step, size, moves):
+def test_overlapping_circles_of_one_size_are_moved_rings(step, size, moves):
     rings = rings_of([polygon(16 * size**i, x=step * i, corners=24) for i in range(6)])
     assert rings.moved.tolist() == [moves] * 6
     assert moves or not rings.repeated.any()
 
 
-def test_overlapping_circles_at_other_depths_are_not_moved():
+def test_overlapping_circles_at_other_depths_are_not_moved_rings():
     assert not rings_of([polygon(16, x=2.0 * i, z=-2.0 * i, corners=24) for i in range(6)]).moved.any()
 
 
@@ -198,14 +201,14 @@ def test_slot_beside_circle_is_not_a_trochoid(width, moves):
 
 
 @pytest.mark.parametrize("z, relation", [(0.0, {"crossing"}), (-2.0, set())])
-def test_ring_of_another_shape_at_same_walls_crosses(z, relation):
+def test_ring_of_another_shape_in_the_same_box_is_crossing(z, relation):
     diamond = [(90.0, -40.0, z), (70.0, -20.0, z), (50.0, -40.0, z), (70.0, -60.0, z), (90.0, -40.0, z)]
     assert related(rings_of([polygon(40), diamond])) == [relation] * 2
 
 
 @pytest.mark.parametrize("cut, relation", [(11.0, set()), (13.0, {"crossing"})])
-def test_slightly_smaller_ring_at_same_walls_crosses(cut, relation):
-    """The cut-off corner has 3.8 % or 5.3 % of the area of 40 x 40 mm."""
+def test_slightly_smaller_ring_in_the_same_box_is_not_crossing(cut, relation):
+    """The smaller ring lacks a corner of 3.8 % or 5.3 % of the area of 40 x 40 mm."""
     without = [(50, -60, 0), (90 - cut, -60, 0), (90, -60 + cut, 0), (90, -20, 0), (50, -20, 0), (50, -60, 0)]
     assert related(rings_of([polygon(40), without])) == [relation] * 2
 
@@ -214,19 +217,19 @@ def test_slightly_smaller_ring_at_same_walls_crosses(cut, relation):
     "senses, opposite",
     [("+-+-+", True), ("+++++", False), ("+-", False), ("++--", False), ("+-+++-", [True] * 3 + [False] * 3)],
 )
-def test_offsets_with_alternating_sense_are_passes(senses, opposite):
+def test_nested_offsets_with_alternating_sense_are_opposite(senses, opposite):
     rings = rings_of([polygon(40 - 4 * i, clockwise=sense == "-") for i, sense in enumerate(senses)])
     assert rings.opposite.tolist() == ([opposite] * len(senses) if isinstance(opposite, bool) else opposite)
     assert rings.nested.all()
 
 
-def test_opposite_passes_may_grow_and_then_shrink():
+def test_opposite_rings_are_found_if_they_grow_and_then_shrink():
     rings = rings_of([polygon(side, clockwise=i % 2 == 0) for i, side in enumerate((30, 34, 38, 35, 31))])
     assert rings.opposite.all()
 
 
 @pytest.mark.parametrize("side, moves", [(11, True), (10, False)])
-def test_moved_loops_have_similar_sizes(side, moves):
+def test_moved_ring_has_a_size_similar_to_the_ring_before(side, moves):
     assert rings_of([polygon(16, corners=24), polygon(side, x=5, corners=24)]).moved.tolist() == [moves] * 2
 
 
@@ -240,7 +243,7 @@ def test_rings_with_eight_or_more_corners_are_round(corners, is_round):
     assert rings_of([polygon(30, corners=corners)]).round.tolist() == [is_round]
 
 
-def test_descending_turn_is_sloped_and_starting_ramp_is_not():
+def test_ring_that_descends_all_the_way_around_is_sloped():
     around = polygon(30, corners=36)
     steady = [(x, y, -2.0 * i / 36) for i, (x, y, _) in enumerate(around)]
     over_half, at_first = (
@@ -273,14 +276,14 @@ def test_stepover_of_interleaved_island_offsets_is_measured():
 
 def test_turns_of_a_helix_are_stacked_windings():
     rings = rings_of([[(12 * math.cos(a), 12 * math.sin(a), -0.2 * a) for a in np.arange(0, 40, 0.2)]])
-    inner = slice(0, -1)  # the last turn may be incomplete
+    inner = slice(0, -1)  # The last turn is possibly incomplete.
     assert rings.winding.all() and rings.sloped[inner].all() and rings.stacked[inner].all() and len(rings) >= 6
     assert rings.depth_range == pytest.approx(0.2 * 2 * math.pi * (len(rings) - 1), rel=0.1)
 
 
 def test_turns_of_a_spiral_are_nested_windings():
     rings = rings_of([[(0.5 * a * math.cos(a), 0.5 * a * math.sin(a), 0.0) for a in np.arange(3, 50, 0.2)]])
-    assert rings.winding.all() and rings.nested[:-1].all() and not rings.sloped.any()  # the last turn is incomplete
+    assert rings.winding.all() and rings.nested[:-1].all() and not rings.sloped.any()  # The last turn is incomplete.
     assert rings.step == pytest.approx(math.pi, rel=0.15) and rings.growing == 1.0
 
 
@@ -292,13 +295,13 @@ def test_turns_of_a_spiral_are_nested_windings():
         ([2.0, 2.0], True),
         ([1.92, 2.0], True),
         ([1.88, 2.0], False),
-        ([1.6, 2.0, 2.0, 2.0], False),  # with a constant engagement, the first step is shorter
-        ([2.0, 2.0, 2.0, 0.4], True),  # the last step may end at the wall
-        ([2.0, 2.0, 1.6, 2.4], False),  # only half of the steps are equal
+        ([1.6, 2.0, 2.0, 2.0], False),  # With a constant engagement, the first step is shorter.
+        ([2.0, 2.0, 2.0, 0.4], True),  # The last step may end at the wall.
+        ([2.0, 2.0, 1.6, 2.4], False),  # Only half of the steps are equal.
         ([2.2, 2.0, 2.0], False),
     ],
 )
-def test_turns_with_equal_steps_begin_with_this_step(steps, equal):
+def test_spiral_with_equal_steps_has_an_equal_first_step(steps, equal):
     assert _equal(np.array(steps)) is equal
 
 
@@ -308,19 +311,19 @@ def shapes_of(*strokes):
 
 
 @pytest.mark.parametrize(("turns", "rests"), [(3.0, 0), (3.5, 1), (3.7, 1), (3.8, 0)])
-def test_incomplete_last_turn_of_a_winding_is_not_a_turn(turns, rests):
+def test_incomplete_last_turn_of_a_spiral_is_not_a_turn(turns, rests):
     found = shapes_of(winding(5, 25, turns))
     assert np.count_nonzero(found.rest) == rests and not (found.rest & found.turn).any()
     assert np.count_nonzero(found.turn) >= 3
-    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # sloped turns do not count
+    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # Sloped turns do not count.
 
 
-def test_incomplete_turn_of_a_winding_is_not_moved():
+def test_incomplete_turn_of_a_spiral_is_not_a_moved_ring():
     rings = rings_of([winding(2, 9, 3.5)])
     assert not rings.moved.any() and rings.equidistant
 
 
-def test_loops_and_windings_may_be_wavy():
+def test_loop_around_a_comb_is_wavy_and_a_square_is_not():
     comb = [(x, y, 0.0) for k in range(12) for x, y in ((6 * k, 2), (6 * k + 3, 2), (6 * k + 3, 40), (6 * k + 6, 40))]
     wavy = [(0, 0, 0), *comb, (90, 40, 0), (90, 0, 0), (0, 0, 0)]
     assert shapes_of(wavy, polygon(40)).wavy.tolist() == [True, False]
@@ -340,7 +343,7 @@ def toothed(inside, left=0.0):
 
 
 @pytest.mark.parametrize(("left", "nested"), [(0.0, True), (0.21, True), (0.3, False)])
-def test_sides_of_a_wavy_offset_move_equally_within_ten_percent(left, nested):
+def test_sides_of_a_wavy_ring_move_equally_within_ten_percent(left, nested):
     assert shapes_of(toothed(0.0), toothed(2.0, left)).wavy.all()
     assert rings_of([toothed(0.0), toothed(2.0, left)]).nested.tolist() == [nested] * 2
 
@@ -351,7 +354,7 @@ def test_section_without_loops_has_no_rings():
 
 
 @pytest.mark.parametrize("even_in_plane", [True, False])
-def test_evenness_shows_if_a_dome_is_cut_by_plane_or_depth(even_in_plane):
+def test_evenness_tells_steps_in_the_plane_from_steps_in_depth(even_in_plane):
     at = np.linspace(0.1, 0.9, 12)
     radii = 40 * at if even_in_plane else 40 * np.sqrt(1 - (1 - at) ** 2)
     rings = rings_of([polygon(2 * r, z=math.sqrt(1600 - r * r) - 40, corners=48) for r in radii])
@@ -363,7 +366,7 @@ def test_evenness_is_the_ratio_of_two_relative_spreads():
     assert evenness(even, uneven) < 0.1 and evenness(uneven, even) > 10
     assert evenness(even, 3 * even) == pytest.approx(1.0)
     assert evenness(even, np.zeros(9)) == evenness(even[:2], uneven[:2]) == 0.0
-    # Between the 10th and the 90th percentile, the spread is 3.2 mm around 3 mm.
+    # The 10th and the 90th percentile differ by 3.2 mm, and the median is 3 mm.
     assert evenness(uneven, even) == pytest.approx((3.2 / 3 + 0.01) / 0.01)
 
 

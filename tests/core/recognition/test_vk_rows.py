@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rows are measured in toolpaths drawn with known rows."""
+"""The number, distances and directions of rows are measured in toolpaths with known rows."""
 
 from __future__ import annotations
 
@@ -49,12 +49,12 @@ def test_rows_along_x_have_direction_zero(degrees):
     assert 0 <= rows.axis < 1e-9
 
 
-def test_one_way_rows_have_neighbours_of_same_sense():
+def test_one_way_rows_have_neighbours_cut_in_the_same_direction():
     (rows,) = rows_of(programs.one_way(10, 50.0, 3.0))
     assert (rows.opposite, rows.same, rows.count) == pytest.approx((0, 450, 10))
 
 
-def test_rows_repeated_deeper_share_their_lines():
+def test_rows_repeated_at_a_second_depth_lie_on_the_same_lines():
     """The first row of the second depth is far from the last row of the first depth, so they are not neighbours."""
     (rows,) = rows_of(programs.one_way(10, 50.0, 3.0, depths=(0.0, -1.0)))
     assert (rows.count, rows.lines, rows.length, rows.once) == pytest.approx((20, 10, 1000, 1000))
@@ -62,7 +62,7 @@ def test_rows_repeated_deeper_share_their_lines():
 
 
 def test_row_cut_back_at_a_second_depth_counts_once():
-    ends = ((0.0, 50.0, 0.0), (50.0, 0.0, -1.0))  # the tool returns at the second depth
+    ends = ((0.0, 50.0, 0.0), (50.0, 0.0, -1.0))  # The tool returns on the row at the second depth.
     strokes = [[(a, 3.0 * row, z), (b, 3.0 * row, z)] for row in range(6) for a, b, z in ends]
     (rows,) = rows_of(programs.program(strokes))
     assert (rows.count, rows.lines, rows.length, rows.once) == pytest.approx((6, 6, 600, 300))
@@ -98,7 +98,7 @@ def test_rows_of_short_moves_equal_rows_of_long_moves():
 
 
 @pytest.mark.parametrize("degrees, aligned", [(2.0, True), (4.0, False)])
-def test_row_within_three_degrees_of_the_axis_belongs_to_it(degrees, aligned):
+def test_line_within_three_degrees_of_the_rows_is_one_of_them(degrees, aligned):
     """0.05 rad are 2.9 degrees. Ten rows of 50 mm have one direction, and a row of 60 mm has another."""
     (askew,) = slanted([[(0.0, -30.0, 0.0), (60.0, -30.0, 0.0)]], degrees)
     families = rows_of([*programs.one_way(10, 50.0, 3.0), *programs.program([askew])])
@@ -130,7 +130,7 @@ def test_slanted_grid_has_two_families_of_rows(degrees):
 
 
 def test_rows_of_a_grid_may_lean_to_both_sides_of_the_axis():
-    """A third of each row leans by 2.5 degrees to each side, so all parts are within three degrees of the mean."""
+    """One third of each row leans to the left by 2.5 degrees, and one third leans to the right by 2.5 degrees."""
     up = 20 * math.tan(math.radians(2.5))
     across = [[(0, y, 0), (20, y + up, 0), (40, y + up, 0), (60, y, 0)] for y in 3.0 * np.arange(30)]
     first, second = rows_of(programs.program(across + [[(x, 0, 0), (x, 57, 0)] for x in 3.0 * np.arange(20)]))
@@ -157,14 +157,14 @@ def test_scattered_directions_are_not_a_second_family_of_rows():
     "lines, period",
     [
         ((0, 1, 10, 11), 10.0),
-        ((0, 1, 10), 5.0),  # three lines have no period: half of the gaps are 5 mm
-        ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # gaps that grow slowly are one set of lines
-        # lines of a path reflected at the walls: 3.9 mm apart, and by chance with a period of 31.2 mm
+        ((0, 1, 10), 5.0),  # Three lines have no period, and the median of the distances is 5 mm.
+        ((0, 3.0, 6.2, 9.6, 13.2, 17.0), 3.4),  # Lines with slowly growing distances do not form a repeating pattern.
+        # The path is reflected at the walls. The lines are 3.9 mm apart, and have by chance a period of 31.2 mm.
         (np.cumsum([0, 1, 2, 1, 3, 3, 3, 5, 3, 4, 2, 1, 2, 1, 3, 2, 4, 5, 4, 3, 2, 1, 2, 1, 3]) * 1.3, 3.9),
-        ((0, 0.7, 4, 4.7, 6.1, 8, 8.7, 10.1, 12, 12.7, 14.1, 18.1), 4.0),  # three sets of lines with one period
+        ((0, 0.7, 4, 4.7, 6.1, 8, 8.7, 10.1, 12, 12.7, 14.1, 18.1), 4.0),  # Three sets of lines have the same period.
     ],
 )
-def test_lines_in_pairs_have_a_period_if_at_least_four(lines, period):
+def test_period_of_a_pattern_is_found_from_four_lines_on(lines, period):
     (rows,) = rows_of(programs.program([[(0.0, float(y), 0.0), (50.0, float(y), 0.0)] for y in lines]))
     assert rows.period == pytest.approx(period)
 
@@ -183,7 +183,7 @@ def test_single_row_has_no_step():
 
 
 @pytest.mark.parametrize("apart, lines", [(0.015, 1), (0.03, 5)])
-def test_rows_closer_than_two_hundredths_mm_are_one_line(apart, lines):
+def test_rows_closer_than_0_02_mm_lie_on_one_line(apart, lines):
     strokes = [[(0.0, apart * k, 0.0), (50.0, apart * k, 0.0)] for k in range(5)]
     (rows,) = rows_of(programs.program(strokes))
     assert rows.lines == lines
@@ -195,7 +195,7 @@ def test_pass_shorter_than_a_tenth_is_not_a_row(length, count):
     assert rows.count == count
 
 
-def test_uneven_steps_lower_the_even_share():
+def test_share_of_equal_steps_between_rows_is_measured():
     """Every third step is 1 mm, the other steps are 4 mm. Two thirds of the steps equal the usual step."""
     y = np.cumsum([0, 4, 4, 1] * 4)
     (rows,) = rows_of(programs.program([[(0.0, float(v), 0.0), (50.0, float(v), 0.0)] for v in y]))
@@ -218,10 +218,10 @@ def test_staircase_after_another_stroke_is_not_rows():
     assert families[0].same == 0
 
 
-# Tests of `filling`: which families of rows fill an area.
+# The following tests check which families of rows fill an area, according to `filling`.
 
 TOOL = 6.0
-# Ten rows of 50 mm, 3 mm apart, cut back and forth.
+# Ten rows of 50 mm, 3 mm apart, are cut back and forth.
 GOOD = Rows(
     axis=0.0, length=500.0, once=500.0, typical=50.0, count=10, lines=10, opposite=450.0, same=0.0, step=3.0, pitch=3.0,
     period=3.0, even=1.0, steep=False, lies=np.array([(3.0 * k, 0.0, 50.0) for k in range(10)]), moves=np.arange(10),
@@ -243,7 +243,7 @@ def test_rows_fill_an_area_if_a_quarter_is_beside_other_rows(opposite, same, goo
     assert fills(opposite=opposite, same=same) is good
 
 
-def test_repeats_of_lines_do_not_count_for_filling():
+def test_repeated_rows_do_not_count_when_rows_fill_an_area():
     """The 120 mm beside other rows are over a quarter of 400 mm without repeats, and below a quarter of 500 mm."""
     assert fills(opposite=120, once=400.0) and not fills(opposite=120)
 
@@ -252,7 +252,7 @@ def test_repeats_of_lines_do_not_count_for_filling():
     "typical, lines, even, good",
     [(7.6, 9, 0.9, True), (7.4, 9, 0.9, False), (7.4, 10, 0.9, True), (7.4, 10, 0.7, False), (4.4, 10, 0.9, False)],
 )
-def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
+def test_rows_that_fill_an_area_have_a_minimum_length_in_steps(typical, lines, even, good):
     """With steps of 3 mm between the rows, the minimum lengths are 7.5 and 4.5 mm."""
     assert fills(typical=typical, lines=lines, even=even) is good
 
@@ -262,9 +262,9 @@ def test_rows_have_a_minimum_length_in_steps(typical, lines, even, good):
     [(0.17, 6, False), (0.19, 6, True), (0.17, 0, True), (3, 2.4, False), (3, 2.6, True), (3, 0, True)],
 )
 def test_rows_fill_an_area_only_if_their_step_fits_the_tool(step, tool, good):
-    """Below 0.03 diameters, fewer than ten rows are one repeated pass.
+    """With a step below 0.03 tool diameters, fewer than ten rows are one repeated pass.
 
-    Above 1.2 diameters, stock remains between rows.
+    With a step above 1.2 tool diameters, stock remains between the rows.
     """
     assert fills(tool, step=step, lines=9) is good
 
@@ -290,7 +290,7 @@ def test_filling_rows_may_skip_one_row(period, good):
         (1, 0.4, 6, False),
     ],
 )
-def test_three_even_rows_or_two_overlapping_rows_fill_an_area(count, even, tool, good):
+def test_area_is_filled_by_three_even_rows_or_two_that_overlap(count, even, tool, good):
     assert fills(tool, count=count, even=even, lines=count) is good
 
 
@@ -303,7 +303,7 @@ def test_walls_of_a_contour_are_not_rows(period, walls):
 @pytest.mark.parametrize(
     "length, changed, grid",
     [
-        (1150.0, {}, True),  # 1000 mm in rows are more than 85 % of 1150 mm
+        (1150.0, {}, True),  # The rows have 1000 mm, which is more than 85 % of 1150 mm.
         (1200.0, {}, False),
         (1150.0, {"count": 5}, True),
         (1150.0, {"count": 4}, False),
@@ -311,7 +311,7 @@ def test_walls_of_a_contour_are_not_rows(period, walls):
         (1150.0, {"typical": 7.4}, False),
     ],
 )
-def test_two_families_without_neighbours_are_a_grid(length, changed, grid):
+def test_crossed_rows_with_no_neighbour_cut_next_are_a_grid(length, changed, grid):
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone, **changed)]
     assert filling(families, TOOL, length=length, contour=False) == (families if grid else [])
@@ -319,8 +319,11 @@ def test_two_families_without_neighbours_are_a_grid(length, changed, grid):
 
 
 @pytest.mark.parametrize("tool, grid", [(0.0, True), (2.6, True), (2.4, False)])
-def test_rows_wider_than_the_tool_are_not_a_grid(tool, grid):
-    """Outlines of small parts on a sheet have sides along two axes. 1.2 diameters are 3.1 and 2.9 mm."""
+def test_crossed_rows_farther_apart_than_the_tool_are_not_a_grid(tool, grid):
+    """Outlines of small parts on a sheet have sides along two axes.
+
+    1.2 tool diameters are 3.1 or 2.9 mm, and the rows are 3 mm apart.
+    """
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone)]
     assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
@@ -353,9 +356,9 @@ def test_grid_rows_cross_and_nested_contours_do_not(turned, lean):
 
 @pytest.mark.parametrize("beyond, cross", [(0.035, False), (0.07, True)])
 def test_passes_cross_if_they_continue_beyond_each_other(beyond, cross):
-    """The sides of nested rectangles are longer by a share of their length at both ends.
+    """Each side of nested rectangles extends beyond its corners by 3.5 % or 7 % of its length.
 
-    All sides along X are cut first.
+    The tool cuts all sides along X first.
     """
     sides = [(1.5 * k, 80 - 3 * k, 70 - 3 * k) for k in range(20)]
     along = [[(k - beyond * w, y), (k + w + beyond * w, y)] for k, w, h in sides for y in (k, k + h)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The proposals of the rules without votes, and their reasons, for toolpaths drawn for one rule each.
+"""The strategies that the rules propose without the votes of the trees, for toolpaths drawn for one rule each.
 
-The votes mostly agree with the rules, so a wrong rule would not be visible in the verdicts.
+The votes mostly agree with the rules, so the final strategies would not show a wrong rule.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def rows(count=10, length=50.0, step=3.0, x=0.0, y=0.0, z=0.0):
 
 
 def waves(count, step, *, grows=0.0, alternate=False):
-    """Return open wavy strokes side by side. At its end, each stroke is farther from the next stroke by `grows`."""
+    """Return open wavy strokes side by side. The distance to the next stroke grows by `grows` mm along the stroke."""
     x = np.linspace(0, 160, 41)
     strokes = []
     for i in range(count):
@@ -149,12 +149,12 @@ def proposed(strokes, tool=TOOL):
 
 
 @pytest.mark.parametrize("strokes, strategy, seen, count", CASES.values(), ids=CASES)
-def test_rule_proposes_the_strategy_of_its_drawing(strokes, strategy, seen, count):
+def test_rule_proposes_the_intended_strategy_of_a_drawn_toolpath(strokes, strategy, seen, count):
     found = proposed(strokes)
     assert (found.strategy, found.seen.code, found.count) == (strategy, seen, count)
 
 
-def test_only_a_rise_at_the_end_counts_as_rising():
+def test_only_a_rise_at_the_end_of_a_stroke_counts_as_rising():
     over_tags = [(500, 0, -4.0), (540, 0, -4.0), (546, 0, -2.0), (552, 0, -4.0), (560, 0, -4.0)]
     upward = [(500, 0, -4.0), (530, 40, 0.0), (560, 0, 4.0)]
     for strokes, share in (
@@ -164,7 +164,7 @@ def test_only_a_rise_at_the_end_counts_as_rising():
         assert share_rising(moves) * moves.length.sum() == pytest.approx(share, abs=0.1)
 
 
-def test_mixed_operation_has_shares_and_verdicts_of_its_parts():
+def test_mixed_operation_has_shares_and_strategies_of_its_parts():
     found = proposed(CASES["rows beside contours"][0])
     assert found.seen.arguments["rows"] + found.seen.arguments["loops"] == pytest.approx(1.0)
     assert found.seen.arguments["loops"] == pytest.approx(4 * 284 / (4 * 284 + 527), rel=0.05)
@@ -182,7 +182,10 @@ def test_step_of_passes_that_are_not_rings_is_measured(name, step):
 
 
 def beside(strokes, others, share):
-    """Return strokes, and others with a share of the whole length. `others` draws strokes of a given length."""
+    """Return strokes, followed by other strokes with a share of the whole length.
+
+    `others` is a function that draws the other strokes with a given total length.
+    """
     length = sum(math.dist(a[:2], b[:2]) for stroke in strokes for a, b in zip(stroke, stroke[1:]))
     return [*strokes, *others(length * share / (1 - share))]
 
@@ -213,7 +216,7 @@ def bites(length, count=6):
 
 
 def entered(share):
-    """Return 1781 mm of windings whose spacing grows, entered by a helix of two turns with a share of this length."""
+    """Return a spiral of 1781 mm whose spacing grows, entered by a helix of two turns with a share of this length."""
     radii, way_in = [10 + 2 * k + k * k / 4 for k in range(11)], 1781 * share / (4 * math.pi)
     turns = [winding(*pair, 1) for pair in zip(radii, radii[1:])]
     return [
@@ -222,14 +225,14 @@ def entered(share):
 
 
 def divided(ratio):
-    """Return squares whose steps vary by 50 % around 1 mm in depth, and by ratio * 50 % in the plane."""
+    """Return squares at depth steps of 1 mm +- 50 %, whose offsets in the plane vary by ratio * 50 %."""
     at = np.linspace(-0.5, 0.5, 11)
     sides, heights = (np.append(0, np.cumsum(step)) for step in (4 * (1 + ratio * at), -(1 + at)))
     return [polygon(20 + side, z=z) for side, z in zip(sides, heights)]
 
 
-# The value at which a toolpath changes its strategy, and the function that draws the toolpath for a value. Lengths are
-# shares of the whole length.
+# For each case: the value at which the strategy changes, the function that draws the toolpath for a value, and the
+# strategies below and above the value. Values without a unit are shares of the whole length.
 BORDERS = {
     "bites among contours": (0.1, lambda share: beside(bites(300, 12), contours, 1 - share), "profile", "adaptive"),
     "contours among scribbles": (0.35, lambda share: beside(contours(480), scribbles, 1 - share), "engraving", "profile"),
@@ -240,7 +243,7 @@ BORDERS = {
     "bites beside a spiral": (0.03, lambda share: beside([winding(2, 26, 8)], bites, share), "spiral", "adaptive"),
     "scribbles beside a spiral": (0.3, lambda share: beside([winding(2, 26, 8)], scribbles, share), "spiral", "adaptive"),
     "a helix before windings": (0.005, entered, "spiral", "adaptive"),
-    "a pass inside a contour, among others": (  # the pass has 0.42 of the length of pass and contour
+    "a pass inside a contour, among others": (  # The pass has 0.42 of the total length of the pass and its contour.
         0.1, lambda share: beside([polygon(60, ratio=0.2), there_and_back], contours, 1 - share / 0.42), "profile", "mixed"),
     "walls that widen, among contours": (
         0.3, lambda share: beside([polygon(20 + 2 * i, z=-1.0 * i) for i in range(8)], contours, 1 - share),

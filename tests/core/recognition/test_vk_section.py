@@ -30,7 +30,10 @@ def rows(count=6, length=30.0, step=3.0, x=0.0, y=0.0, z=0.0):
 
 
 def walk(*steps, start=(70.0, -40.0)):
-    """Return the points of a polyline. Each step is (turn, length): a turn in degrees, then a straight length in mm."""
+    """Return the points of a polyline.
+
+    Each step is (turn, length): a change of direction in degrees, then a straight length in mm.
+    """
     (x, y), heading, points = start, 0.0, [(*start, 0.0)]
     for turn, length in steps:
         heading += math.radians(turn)
@@ -59,7 +62,7 @@ def jogs(count, degrees, length=None):
     return steps
 
 
-def test_piece_belongs_to_the_rings_or_to_the_rows():
+def test_loops_of_a_section_are_rings_and_zigzags_are_rows():
     found = section(polygon(60), rows(x=50, y=-50), polygon(60, z=-1.0))
     assert found.ring_pieces.tolist() == [True, False, True]
     assert found.row_pieces.tolist() == [False, True, False]
@@ -116,8 +119,8 @@ def test_star_shaped_contour_is_a_contour():
 
 
 @pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
-def test_rows_with_a_tenth_of_the_length_are_links(length, families):
-    """Beside squares of 1136 mm, six rows with links of 15 mm have 105 of 1241 mm, or 195 of 1331 mm."""
+def test_rows_with_less_than_a_tenth_of_the_length_are_links(length, families):
+    """The squares have 1136 mm. Six rows and their links of 15 mm have 105 of 1241 mm, or 195 of 1331 mm."""
     squares = [polygon(side, x=200) for side in (80, 74, 68, 62)]
     assert len(section(rows(length=length), *squares).rows) == families
 
@@ -130,14 +133,14 @@ def test_ramp_back_and_forth_on_one_line_is_not_a_zigzag():
 
 
 @pytest.mark.parametrize("aside, retraced", [(0.01, 1.0), (0.05, 0.0)])
-def test_ramp_that_leaves_its_line_is_not_retraced(aside, retraced):
+def test_ramp_that_returns_on_another_line_is_not_retraced(aside, retraced):
     """The second pass begins at a distance of `aside` mm from the line of the first pass."""
     ramp = [(0, 0, 0), (30, 40, -1), (0.8 * aside, -0.6 * aside, -2), (30, 40, -3), (0, 0, -4)]
     assert section([(x + 70, y - 45, z) for x, y, z in ramp]).retraced == retraced
 
 
 def kinds(stroke):
-    """Return the kinds of a shifted stroke's pieces, before and after small loops become a part of the zigzag."""
+    """Return the kinds of pieces of a stroke, before and after small loops are counted as parts of the zigzag."""
     pieces = cut_pieces(monotonous_areas(linearize(programs.program([[(x + 90, y + 50, z) for x, y, z in stroke]]))))
     return pieces.kind.tolist(), _absorbed(pieces).tolist()
 
@@ -154,7 +157,7 @@ def test_small_loop_between_rows_is_part_of_the_zigzag():
 
 @pytest.mark.parametrize("inside", [-2.0, 2.0])
 def test_loop_slightly_inside_rows_is_a_contour(inside):
-    """The loop lies 2 mm inside or outside rows of 40 x 18 mm. The tolerance of 15 % is 6 and 2.7 mm."""
+    """The loop lies 2 mm inside or outside rows of 40 x 18 mm. The tolerance is 15 % of the sides, 6 and 2.7 mm."""
     stroke = rows(7, length=40.0) + box(inside, 18.0 - inside, 40.0 - 2 * inside, 18.0 - 2 * inside)
     assert kinds(stroke) == ([ZIGZAG, LOOP], [ZIGZAG, LOOP])
 
@@ -207,8 +210,11 @@ def test_section_without_windings_has_no_corners():
 @pytest.mark.parametrize(
     "degrees, length, aside", [(20, None, False), (35, None, True), (35, 0.05, False), (35, 0.2, True)]
 )
-def test_winding_steps_aside_at_turns_of_27_degrees(degrees, length, aside):
-    """Each turn has one bend. A bend of 35 degrees (0.61 rad) over 0.05 mm is less than the limit of 0.05 rad mm."""
+def test_spiral_with_a_bend_of_27_degrees_in_a_turn_steps_aside(degrees, length, aside):
+    """Each turn of the spiral has one bend.
+
+    A bend of 35 degrees (0.61 rad) on 0.05 mm is 0.03 rad mm, which is less than the limit of 0.05 rad mm.
+    """
     found = section(square_spiral(5, jogs(1, degrees, length)))
     assert found.rings.winding.all() and len(found.aside) == 5
     assert found.aside[:4].tolist() == [aside] * 4 and not found.hunting.any()
@@ -227,14 +233,14 @@ def test_bend_in_small_steps_counts_as_one_bend():
 
 
 @pytest.mark.parametrize("count, degrees, hunting", [(8, 6, True), (7, 6, False), (8, 9, True), (8, 12, False)])
-def test_eight_small_corrections_per_turn_are_hunting(count, degrees, hunting):
+def test_eight_small_corrections_per_spiral_turn_are_hunting(count, degrees, hunting):
     found = section(square_spiral(5, jogs(count, degrees)))
     assert found.rings.winding.all()
     assert found.hunting[:4].tolist() == [hunting] * 4
 
 
 def letter(i, x, z=0.0, size=3.0):
-    """Return a closed contour that is wider by 0.5 mm for each i."""
+    """Return a closed contour with the shape number i, whose size grows by 0.5 mm with i."""
     return polygon(size + 0.5 * i, x=x, z=z, corners=3 + i % 5, ratio=1 + 0.1 * i)
 
 
@@ -249,11 +255,11 @@ def written(shapes, copies=0, depths=1, size=3.0):
     [
         ({"shapes": 8}, True),
         ({"shapes": 7}, False),
-        ({"shapes": 8, "copies": 3}, True),  # 8 of 11 contours are more than 67 %
-        ({"shapes": 8, "copies": 4}, False),  # 8 of 12 contours are less than 67 %
+        ({"shapes": 8, "copies": 3}, True),  # 8 different shapes in 11 contours are more than 67 %.
+        ({"shapes": 8, "copies": 4}, False),  # 8 different shapes in 12 contours are less than 67 %.
         ({"shapes": 8, "depths": 3}, True),
         ({"shapes": 8, "depths": 4}, False),
-        ({"shapes": 8, "size": 14.0}, False),  # contours of 16 mm on about 100 mm are too large
+        ({"shapes": 8, "size": 14.0}, False),  # Contours of 16 mm are too large for letters on about 100 mm.
         ({"shapes": 8, "size": 7.0}, True),
     ],
     ids=str,
@@ -307,7 +313,7 @@ def deeper(stroke, by=1.0):
     ids=["after", "before", "between, inside the first", "between, inside the second", "as deep", "deeper", "not last", "the eighth", "the ninth", "the largest of nine",
          "five at other depths", "along it and to it", "right", "left", "above", "below", "some", "no ring", "no rows"],
 )  # fmt: skip
-def test_rows_are_bordered_by_one_of_the_largest_rings(strokes, share):
+def test_rows_are_enclosed_by_one_of_the_largest_rings(strokes, share):
     assert section(*strokes).bordered()[0] == pytest.approx(share)
 
 
@@ -328,7 +334,7 @@ ISLAND = polygon(10, x=-5, y=-2)
     ],
     ids=["amid", "some", "deeper", "as deep", "across their edge", "offsets", "no rows", "no ring"],
 )
-def test_single_rings_amid_rows_go_around_islands(strokes, share):
+def test_single_rings_in_the_middle_of_rows_go_around_islands(strokes, share):
     assert section(*strokes).bordered()[1] == pytest.approx(share)
 
 
@@ -362,8 +368,8 @@ def test_stroke_back_and_forth_clears_the_adjacent_ring(strokes, clears):
 
 
 @pytest.mark.parametrize("tool, clears", [(6.0, True), (3.0, False), (0.0, True)])
-def test_stroke_clears_only_rings_within_tool_reach(tool, clears):
-    """The ends of the ring are 4 mm away. A tool of 3 mm reaches 3.6 mm."""
+def test_stroke_clears_a_ring_only_within_the_largest_stepover(tool, clears):
+    """The stroke ends 4 mm before the ends of the ring, and the largest stepover of a tool of 3 mm is 3.6 mm."""
     assert bool(section(RING, there_and_back, tool=tool).filled()) is clears
 
 

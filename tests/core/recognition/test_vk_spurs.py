@@ -49,7 +49,7 @@ def test_phi_of_each_area_starts_at_its_own_first_move():
     ids=["open", "long", "down", "none"],
 )
 def test_detours_that_are_not_corner_reliefs_are_kept(stroke):
-    """A detour in an open stroke, of at least a fifth of the length, or to a greater depth is not a relief."""
+    """A detour is not a corner relief in an open stroke, with a fifth of the length, or if it goes down."""
     moves = areas(stroke)
     assert without_spurs(moves) is moves
 
@@ -75,7 +75,7 @@ def test_removing_a_spur_along_a_side_leaves_no_reversal(ahead):
     assert kept.turning[1] == pytest.approx(TURN / 4) and kept.phi[-1] == pytest.approx(TURN)
 
 
-def test_reversals_outside_of_spurs_are_kept():
+def test_reversals_outside_of_corner_reliefs_are_kept():
     """The toolpath is a contour with a relief move, and then a zigzag on one line."""
     moves = areas(square(2.0), [(0, -80, 0), (30, -80, 0), (0, -80, 0), (30, -80, 0)])
     kept = without_spurs(moves)
@@ -83,29 +83,29 @@ def test_reversals_outside_of_spurs_are_kept():
 
 
 @pytest.mark.parametrize("off, there", [(0.01, False), (0.05, True)])
-def test_move_back_that_misses_the_start_is_not_a_spur(off, there):
-    """The move back misses the start of the spur by less or more than the tolerance for lines that count as one."""
+def test_detour_that_misses_its_start_is_not_a_corner_relief(off, there):
+    """The move back misses the start of the detour by less or more than the tolerance for one line."""
     points = [(0, 0, 0), (20, 0, 0), (24, -3, 0), (20 - 0.8 * off, 0.6 * off, 0), (20, 40, 0), (-20, 40, 0)]
     moves = areas([*points, (-20, 0, 0), (0, 0, 0)])
     assert len(moves.reversals) == 1 and len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
 @pytest.mark.parametrize("deep, there", [(0.005, False), (0.015, True)])
-def test_spur_that_goes_down_is_not_a_relief(deep, there):
-    """A spur down and up again moves by twice its depth. 0.02 mm are within the tolerance of one depth."""
+def test_detour_that_goes_down_is_not_a_corner_relief(deep, there):
+    """A detour down and up again moves by twice its depth in Z. Up to 0.02 mm count as one depth."""
     moves = areas(square(2.0, turned=-deep))
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
 @pytest.mark.parametrize("out, there", [(13.9, False), (14.5, True)])
-def test_reliefs_have_less_than_a_fifth_of_a_contour(out, there):
-    """The detours have 39.3 of 199.3 mm, and 41 of 201 mm. The sides are longer than the way out."""
+def test_corner_reliefs_have_less_than_a_fifth_of_a_contour(out, there):
+    """The detour has 39.3 of 199.3 mm, or 41 of 201 mm. Each side is longer than the way out of the detour."""
     corners = [(20, 0), (20 + out, -out), (20, 0), (20, 40), (-20, 40), (-20, 0)]
     moves = areas([(-20, 0, 0), *((x, y, 0) for x, y in corners)])
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
-def test_consecutive_spurs_are_not_reliefs():
+def test_consecutive_detours_are_not_corner_reliefs():
     """Repeated moves on one line are a separate stroke. Only the first move out and back could be a relief."""
     there, half = (21.0, -1.0, 0.0), (20.0, 0.0, 0.0)
     stroke = square()

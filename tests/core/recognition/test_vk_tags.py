@@ -155,7 +155,7 @@ def test_strokes_back_and_forth_on_a_line_are_not_a_contour():
         assert unchanged([there, there[::-1]]) and unchanged([there, there[::-1], there, there[::-1]])
 
 
-def test_short_move_as_long_as_a_gap_of_rounding_is_kept():
+def test_move_as_short_as_a_rounding_gap_in_a_contour_is_kept():
     """The short move is as long as the gap between its end and the start of the next stroke."""
     sides = [[(0.0, 0.0, -1.0), (40.0, 0.0, -1.0)], [(40.0, 30.0, -1.0), (0.0, 30.0, -1.0), (0.0, 0.0, -1.0)]]
     short, up = [(40.0, 0.0, -1.0), (40.0, 0.015, -1.0)], [(40.0, 0.0, -1.0), (40.0, 30.0, -1.0)]
@@ -194,15 +194,15 @@ def test_reason_depends_on_the_length_of_strokes_between_tags():
     ("one", "two", "onward"),
     [
         ([(0, 0), (40, 0)], [(46, 0), (90, 0)], True),
-        ([(0, 0), (40, 0)], [(40, 0), (40, 50)], True),  # the second stroke turns a corner at the end of the first
-        ([(0, 0), (40, 0)], [(46, 2.5), (90, 2.5)], True),  # the tag is on a bend
+        ([(0, 0), (40, 0)], [(40, 0), (40, 50)], True),  # The second stroke turns a corner at the end of the first.
+        ([(0, 0), (40, 0)], [(46, 2.5), (90, 2.5)], True),  # The tag is on a bend.
         ([(0, 0), (40, 0)], [(46, 3.5), (90, 3.5)], False),
-        ([(0, -40), (40, 0)], [(46, 0), (90, 0)], False),  # only the second stroke has the direction of the gap
-        ([(0, 0), (40, 0)], [(46, 0), (90, 40)], False),  # only the first stroke has the direction of the gap
-        ([(0, 0), (40, 0)], [(34, 0), (90, 0)], False),  # the second stroke starts before the end of the first
+        ([(0, -40), (40, 0)], [(46, 0), (90, 0)], False),  # Only the second stroke has the direction of the gap.
+        ([(0, 0), (40, 0)], [(46, 0), (90, 40)], False),  # Only the first stroke has the direction of the gap.
+        ([(0, 0), (40, 0)], [(34, 0), (90, 0)], False),  # The second stroke starts before the end of the first.
         ([(0, 0), (40, 0)], [(40, 0), (0, 0)], False),
-        ([(0, 0), (40, 0)], [(40.01, 0), (0, 0.001)], False),  # half a turn with a rounding error
-        ([(0, 0), (40, 0)], [(79, 0), (89, 0)], True),  # the gap is shorter than the longer stroke
+        ([(0, 0), (40, 0)], [(40.01, 0), (0, 0.001)], False),  # The direction reverses, apart from a rounding error.
+        ([(0, 0), (40, 0)], [(79, 0), (89, 0)], True),  # The gap is shorter than the longer stroke.
         ([(0, 0), (10, 0)], [(49, 0), (89, 0)], True),
         ([(0, 0), (40, 0)], [(81, 0), (91, 0)], False),
     ],
@@ -213,12 +213,13 @@ def test_stroke_continues_another_in_its_direction(one, two, onward):
     assert _goes_on(moves, np.array([0]), np.array([1])).tolist() == [onward]
 
 
-def test_contours_beside_strokes_between_tags_are_unchanged():
+def test_contours_beside_a_contour_with_tags_are_unchanged():
     hole = [(300.0, 0.0, -3.0), (330.0, 0.0, -3.0), (330.0, 30.0, -3.0), (300.0, 30.0, -3.0), (300.0, 0.0, -3.0)]
     row = [(0.0, 200.0, -3.0), (50.0, 200.0, -3.0)]
     for strokes, starts in (
         ([hole, *parts_of_sides(), row], [0, 4, 16]),
-        ([row, *parts_of_sides(), *parts_of_sides(z=-4.0), hole], [0, 1, 25]),  # two windings of one path
+        # The strokes at two depths are joined to one path of two turns.
+        ([row, *parts_of_sides(), *parts_of_sides(z=-4.0), hole], [0, 1, 25]),
     ):
         moves = areas(strokes)
         around = joined_over_tags(moves)[0]

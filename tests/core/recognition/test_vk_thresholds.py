@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All thresholds are in their own files, each with a unit, a reason and a use. Other files contain no thresholds."""
+"""Each threshold of the recognition is in one of the threshold files, with a unit and a reason, and is used."""
 
 from __future__ import annotations
 
@@ -47,9 +47,9 @@ UNITS = [
     "visits",
     "half-turns",
 ]
-# Numbers of geometry or bookkeeping: halves, sides of a square, thirds of a cell, columns of a box, ends of a stretch.
+# Numbers that are not thresholds: halves, sides of a square, thirds of a cell, columns of a box, ends of a stretch.
 FACTS = {0, 0.5, 1, 2, 3, 4}
-# This file contains a table that was learned.
+# This file contains a table of numbers that a training program computed.
 NUMBERS = {"borders.py"}
 FILES = sorted(set((CORE / "recognition").rglob("*.py")) - set(HOMES))
 
@@ -67,7 +67,7 @@ def declared(home, parse):
 
 
 def used():
-    """Return all names with one dot in the files that use thresholds."""
+    """Return all dotted names, such as ``ROWS.MIN_LENGTH``, in the files that may use thresholds."""
     rooms = [file for room in ("paper", "recognition") for file in (CORE / room).rglob("*.py") if file not in HOMES]
     return {name for file in rooms for name in re.findall(r"\b[A-Z]\w*\.\w+", file.read_text(encoding="utf-8"))}
 
@@ -84,7 +84,7 @@ def test_each_threshold_has_a_unit_a_reason_and_a_use(parse):
     assert [name for name in thresholds if name not in names] == [], "no file uses the threshold"
 
 
-def test_other_files_compare_only_with_thresholds(parse):
+def test_files_of_recognition_compare_only_with_named_thresholds(parse):
     found = []
     for file in FILES:
         for node in ast.walk(parse(file)):
