@@ -3,7 +3,7 @@
 
 Commands and macros use the same preferences. FreeCAD stores the preferences in its parameters, in ``Mod/VkWorkbench``,
 with names such as ``ImageWidth``. A page in FreeCAD's preferences dialog shows the preferences. This module does not
-import numpy, because the page is registered when FreeCAD starts.
+import numpy, because FreeCAD's start loads this module to register the page.
 """
 
 from __future__ import annotations

@@ -38,8 +38,8 @@ class WorkerDied(Exception):
 class Worker:
     """A worker process, which calls one function with one argument after the other.
 
-    The worker process ends when the process that started it ends or is killed, even during a call of the function. On
-    Linux, the worker process also ends when the thread that has started it ends.
+    The worker process ends when the process that started it ends or is killed, even during a call of the function. The
+    worker process also ends when the thread that has started it ends (on Linux only).
 
     Parameters
     ----------
@@ -110,7 +110,8 @@ class Worker:
         self.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):
-            with suppress(OSError), _broken_pipes_are_errors():  # closing flushes the buffered message
+            # Closing also writes the buffered message, to a process that has ended.
+            with suppress(OSError), _broken_pipes_are_errors():
                 pipe.close()  # type: ignore[union-attr] # both are pipes
 
     def _say(self, what: Any) -> None:

@@ -100,7 +100,9 @@ def trajectory_seconds(
 
 
 def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> np.ndarray:
-    """Return the dwells before each trajectory, and after the hole of a drilling cycle, (n,) float64 s.
+    """Return the time of the dwells before each trajectory, (n,) float64 s.
+
+    A dwell in a drilling cycle follows the hole.
 
     A dwell at the end of the toolpath is added to the dwells of the last trajectory.
     """

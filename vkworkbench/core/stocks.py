@@ -229,7 +229,8 @@ class _SeenMesh:
         row_of_ray = np.repeat(np.arange(len(rows)), np.diff(first, append=len(y)))
         left, right = x.min(), x.max()
         met = (self.low[1] <= rows[-1]) & (self.high[1] > rows[0])
-        met &= (self.low[0] <= right + _SAME) & (self.high[0] >= left - _SAME)  # _SAME is added because of rounding
+        # _SAME is added, because the x of crossings are rounded.
+        met &= (self.low[0] <= right + _SAME) & (self.high[0] >= left - _SAME)
         met = np.flatnonzero(met)
 
         begin, end = np.searchsorted(rows, self.low[1, met]), np.searchsorted(rows, self.high[1, met])

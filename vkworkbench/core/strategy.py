@@ -22,8 +22,8 @@ class Family(str, enum.Enum):
 class Strategy(str, enum.Enum):
     """The strategy of one operation, recognised from its toolpath alone.
 
-    Each entry contains everything that the window shows about a strategy. The value of an entry is also the anchor of
-    the strategy's row in docs/recognition.md.
+    The attributes are everything that the window shows about a strategy. The value is also the anchor of the strategy's
+    row in docs/recognition.md.
 
     Attributes
     ----------
@@ -46,7 +46,7 @@ class Strategy(str, enum.Enum):
     color: str
 
     def __new__(cls, value: str, label: str, family: Family, color: str, about: str) -> Strategy:  # noqa: PYI034 3.11
-        """Make a strategy that is also a str: its value."""
+        """Make a member of this enum: a str with the attributes of a strategy."""
         entry = str.__new__(cls, value)
         entry._value_ = value
         entry.label, entry.family, entry.color, entry.about = label, family, color, about

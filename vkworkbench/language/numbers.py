@@ -9,8 +9,8 @@ from math import floor, inf, log10, tau
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 # An estimate that can be wrong by the factor ROUGH or more is shown with one digit and "about". An estimate that can be
-# wrong by more than the factor ESTIMATED is shown with two digits. Lower factors hide useful digits. Higher factors
-# show meaningless digits.
+# wrong by more than the factor ESTIMATED is shown with two digits. If a limit is lower, useful digits are not shown. If
+# a limit is higher, meaningless digits are shown.
 ROUGH, ESTIMATED = 2.0, 1.05
 # Units of time: the name, the length, s, and the duration from which the next larger unit is used, s.
 _UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))

@@ -86,7 +86,7 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
 
 
 def _with_different_times(template: str, arguments: dict[str, Argument], reader: Reader) -> str:
-    """Return the template; if two rounded times in the sentence look equal, with estimates shown exactly."""
+    """Return the template; estimates are exact in it if two rounded times in the sentence would look equal."""
     places = [place for place in _PLACE.finditer(template) if place[2] in ("s", "estimate")]
     texts = {arguments[place[1]]: _QUANTITIES[place[2]](reader, arguments[place[1]], 0) for place in places}
     return template if len(set(texts.values())) == len(texts) else template.replace(":estimate}", ":s}")

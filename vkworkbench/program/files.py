@@ -162,7 +162,7 @@ def text_of(data: bytes) -> str:
     ------
     Unusable
         If the data is not text, or has too many or too long lines. Lines shorter than `LONGEST_LINE` are always
-        accepted. Lines of at least twice this length are always refused.
+        accepted. Lines of at least twice the length `LONGEST_LINE` are always refused.
     """
     text = _decoded(data)
     if text.count("\n") + text.count("\r") - text.count("\r\n") > MOST_LINES:

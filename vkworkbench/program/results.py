@@ -70,7 +70,7 @@ class JsonLines:
     def document(self, line: bytes) -> tuple[str, bool]:
         """Return the program to which a line belongs, and whether the program was read.
 
-        Lines that do not have this form raise ValueError, LookupError or TypeError.
+        A line in another form raises ValueError, LookupError or TypeError.
         """
         row = json.loads(_text(line))
         return row["document"], row["counted"]
@@ -118,7 +118,8 @@ class Results:
         Name of the file, or ``"-"`` for the standard output.
     form : JsonLines or Csv
     resume : bool
-        Whether to continue an existing file. Its last program is analysed again, because its rows may be incomplete.
+        Whether to continue an existing file. The last program in the file is analysed again, because its rows may be
+        incomplete.
 
     Attributes
     ----------

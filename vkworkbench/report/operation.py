@@ -28,8 +28,8 @@ class Setup(NamedTuple):
     tool : str
         Name of the tool; empty if the tool is unknown, and for a job.
     planned : bool
-        Whether the machining time is planned for a machine. If not, the machining time is computed with constant feeds,
-        and without times for setups.
+        Whether the machining time is planned for a machine. If False, the machining time is computed with constant
+        feeds, and without times for setups.
     change : float
         Time to change to this tool, s; for a job, the time of all setups.
     spindle : float

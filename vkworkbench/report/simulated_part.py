@@ -31,7 +31,7 @@ class SimulatedPart:
 
     @property
     def step(self) -> int:
-        """Number of trajectories up to this moment."""
+        """Number of trajectories that the tool has made on this part."""
         return self.zbuffer.step
 
     @property

@@ -34,7 +34,7 @@ class Total(Costs):
     machining_seconds : float
         Time of the moves with a known speed, the dwells and the setups, for all work offsets, s.
     machining_complete : bool
-        Whether `machining_seconds` includes all moves. If not, `machining_seconds` is a lower bound.
+        Whether `machining_seconds` includes all moves. If False, `machining_seconds` is a lower bound.
     incomplete : bool
         Whether the cost of at least one operation is unknown, so that the costs are lower bounds.
     costs, advice : mapping
@@ -44,7 +44,7 @@ class Total(Costs):
     simulated : CutFacts or None
         Facts of a simulation of all operations; None without a simulation.
     verdict : JobVerdict or None
-        Verdict of this simulation; None without a simulation.
+        Verdict of the simulation of all operations; None without a simulation.
     """
 
     document: str

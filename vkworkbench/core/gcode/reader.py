@@ -54,10 +54,10 @@ def read_program(text: str) -> Program:
     """Read the text of an NC program.
 
     Lines with a block delete (``/``) are read like other lines, and reported. Lines after M2 or M30 are read as part of
-    the program, up to the number of another program. But M2 and M30 end a program that calls its own blocks (M97, or
-    M98 with Q), or that has loops, conditions or calls of macros. A subprogram in the same text is read at each call,
-    as if all words of the subprogram were in the line of the call. Variables and expressions are replaced by numbers.
-    Loops, conditions and jumps are followed (`flow`).
+    the program, up to the number of another program. If a program calls its own blocks by M97 or M98 Q, or has loops,
+    conditions or calls of macros, M2 and M30 end the program. A subprogram in the same text is read at each call, as if
+    all words of the subprogram were in the line of the call. Variables and expressions are replaced by numbers. Loops,
+    conditions and jumps are followed (`flow`).
 
     Three parts of a program are not read, but reported as problems with their lines: subprograms outside of this text,
     subprograms that are called in other ways, and the rest of a program from a line that cannot be followed.

@@ -71,7 +71,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "with-others": QT_TRANSLATE_NOOP("Sentences", "{told} A small part is {strategies:strategy}."),
     "only-rapids": QT_TRANSLATE_NOOP("Sentences", "No move cuts, because there are only rapid moves."),
     "no-moves": QT_TRANSLATE_NOOP("Sentences", "No move cuts, because there are no moves."),
-    # Distances and directions of rows, strokes or loops.
+    # Parts of sentences: distances and directions of rows, strokes or loops.
     "apart-at-depths": QT_TRANSLATE_NOOP("Sentences", ", {step:mm3} apart at {depths:n} depths"),
     "apart": QT_TRANSLATE_NOOP("Sentences", ", {step:mm3} apart"),
     "at-depths": QT_TRANSLATE_NOOP("Sentences", " at {depths:n} depths"),
@@ -87,7 +87,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "like-a-lathe": QT_TRANSLATE_NOOP(
         "Sentences", "All moves are in X and Z, with passes along Z at many X, as on a lathe: {strategy:strategy}."
     ),
-    # Measured evidence for the strategy.
+    # Parts of sentences: measured evidence for the strategy.
     "bites-overlap": QT_TRANSLATE_NOOP("Sentences", "{count:n} engagements in the same direction overlap"),
     "rows-and-loops": QT_TRANSLATE_NOOP(
         "Sentences", "rows ({rows:%} of the length) and loops ({loops:%}) fill the same area"
@@ -118,7 +118,7 @@ RECOGNITION: dict[str, str | tuple[str, str]] = {
     "long-strokes": QT_TRANSLATE_NOOP("Sentences", "open strokes as long as the part"),
     "rising-strokes": QT_TRANSLATE_NOOP("Sentences", "strokes that rise toward their ends, as in V-carving"),
     "short-strokes": QT_TRANSLATE_NOOP("Sentences", "short strokes that do not fill an area"),
-    # Evidence from the votes of the learned trees.
+    # Parts of sentences: evidence from the votes of the learned decision trees.
     "like-others": QT_TRANSLATE_NOOP("Sentences", "arranged as in known toolpaths ({share:%} of the votes)"),
     "like-nothing": QT_TRANSLATE_NOOP("Sentences", "unlike any known machining ({share:%} of the votes)"),
 }

@@ -61,7 +61,7 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
     "picture-in-time": QT_TRANSLATE_NOOP(
         "Sentences", "A finer picture would take longer than the {allowed:s} limit in the preferences."
     ),
-    # The verdict on a job.
+    # Sentences of a simulation's verdict on a job: which faults the job has, and what was not checked.
     "verdict": QT_TRANSLATE_NOOP("Sentences", "{sentences}"),
     "verdict-outdated": QT_TRANSLATE_NOOP(
         "Sentences", "The verdict of the simulation is outdated, because the job has changed. Simulate the job again."
@@ -110,7 +110,7 @@ SIMULATION: dict[str, str | tuple[str, str]] = {
         "Sentences", "Gouges of {labels} were not checked, because the tool is simulated by a simpler shape."
     ),
     "attachments-unchecked": QT_TRANSLATE_NOOP("Sentences", "Shank, holder and clamps were not checked."),
-    # A fault of an operation, in the results.
+    # Remarks of an operation with faults, in the results of an analysis.
     "simulated": (
         QT_TRANSLATE_NOOP("Sentences", "The simulation shows a fault at command {command:#}: {fault}"),
         QT_TRANSLATE_NOOP(

@@ -173,7 +173,8 @@ class _Groups:
     def __init__(self, program: Program) -> None:
         self._program = program
         marks, cuts = _marks(program), _cuts(program)
-        # Tool numbers by the lines of their T words, and by the lines of the tool changes.
+        # The tool number of each T word by the word's line, and the new tool's number of each tool change by the
+        # change's line.
         self._named = {
             int(program.lines[at]): int(name[1:]) for at, name in enumerate(program.commands.names) if name[:1] == "T"
         }

@@ -49,10 +49,10 @@ _WORD = re.compile(
     rf"(?:\bdia(?:meter|m)?\b\.?|\bdiametro\b|\bdiámetro\b|\bdiamètre\b|\bdurchmesser\b|[øØ⌀φΦ]|지름|직경|直径|(?<![а-я])ф(?=\s*\d)|\bдиаметр|\btool size)\s*[:=.\-]*\s*{_SIZE}{_UNIT}(?![\d.,]*\s*(?:mcl|loc|oal)\b)",
     re.IGNORECASE,
 )
-# A number before "diameter". A number after TO is not the tool's diameter: SPOT DRILL .06 TO .125 DIA. is a drill for
+# A number before "diameter". A number after TO is not the tool's diameter, because a SPOT DRILL .06 TO .125 DIA makes
 # holes of .06 to .125 inches.
 _BEFORE = re.compile(rf"(?<![\d.,/])(?<!\bto)(?<!\bto ){_SIZE}{_UNIT}\s*\bdia(?:meter|m)?\b", re.IGNORECASE)
-# A length in two forms, as a decimal and as a fraction, is the diameter, as in .375_3/8 X 90 DEG. SPOT DRILL.
+# A length that a comment contains as a decimal and as a fraction, as in .375_3/8 SPOT DRILL, is the diameter.
 _DECIMAL = re.compile(r"(?<![\w.,/#-])(?P<size>\d*[.,]\d+)(?P<across>)(?P<unit>)(?= \d+/\d)")
 _RADIUS = re.compile(rf"\btool radius\s*[:=]\s*{_SIZE}{_UNIT}", re.IGNORECASE)
 _CAMBAM = re.compile(rf"T\d+\s*:\s*(?P<size>{_NUMBER})", re.IGNORECASE)
@@ -238,13 +238,14 @@ def _size(comment: str, number: re.Match[str] | None) -> re.Match[str] | None:
         return _METRIC_THREAD.search(comment) or _INCH_THREAD.search(comment) or _NO_LENGTH.search(comment)
     found = [match for match in (_MEASURED.search(comment), _BARE.search(comment)) if match]
     size = _ATTACHED.search(comment) or min(found, key=re.Match.start, default=None)
-    if size is None or (number is None and _is_bare(size)):  # a bare whole number can be the tool's number
+    # A whole number without a unit is possibly the tool's number.
+    if size is None or (number is None and _is_bare(size)):
         return _NO_LENGTH.search(comment) or _SHORT.search(comment) or size
     return size
 
 
 def _size_alone(comment: str, tool: int) -> re.Match[str] | None:
-    """Return the match of a diameter in a comment in the line of a tool change, which need not contain a tool word.
+    """Return the match of a diameter in a tool change's comment, which need not contain a word for a tool.
 
     A D word with the number of the tool is an offset, not a diameter.
     """

@@ -56,20 +56,23 @@ class Clues:
     def m_code(self, value: float, letters: set[str], line: int) -> None:
         """Note an M-code that indicates the machine.
 
-        M104, M109, M140 and M190 indicate a 3D printer only with an S or R word, the temperature. On mills, M104, M109,
-        M140 and M190 have various meanings.
+        The codes M104, M109, M140 and M190 indicate a 3D printer only with an S or R word (the temperature), because
+        these codes have various meanings on mills.
         """
         if value in _PRINTER and self._printer is None and not letters.isdisjoint("SR"):
             self._printer = f"M{value:g}", line
         self._changer |= value == 6
 
     def tool(self, number: int, line: int) -> None:
-        """Note a tool number. A number such as T0101 (tool 1 with offset 1) indicates the turret of a lathe."""
+        """Note a tool number that indicates a lathe.
+
+        A number such as T0101 (tool 1 with offset 1) indicates the turret of a lathe.
+        """
         if self._turret is None and 0 < number < 10_000 and number % 101 == 0:
             self._turret = f"T{number:04}", line
 
     def feed(self, codes: list[int], parameters: dict[str, float], mode: int, feed: float, line: int) -> None:
-        """Note a line's feed rate. Lathes use G99 for feed per turn, and G98 for feed per minute.
+        """Note a feed rate that indicates a lathe. Lathes use G99 for feed per turn, and G98 for feed per minute.
 
         A feed rate below `_SLOWEST_MILLING` is too slow for milling, and is probably a feed per turn.
 
@@ -102,7 +105,7 @@ class Clues:
         return self._per_turn is not None
 
     def axes(self, parameters: dict[str, float], cuts: bool, line: int) -> None:
-        """Note the words of a line for other axes than X, Y and Z."""
+        """Note words for axes other than X, Y and Z, which can indicate another machine than a mill."""
         for letter in "ABC":
             value = parameters.get(letter)
             if value is not None and value != self._turns.get(letter):

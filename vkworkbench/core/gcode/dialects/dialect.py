@@ -36,7 +36,7 @@ class Dialect:
     calls: bool = True
 
 
-RS274 = Dialect()  # LinuxCNC, and also Fanuc, Haas, Mach3 and grbl
+RS274 = Dialect()  # the dialect of LinuxCNC, Fanuc, Haas, Mach3 and grbl
 SIEMENS = Dialect(feeds_in_mm=frozenset([700, 710]))
 RAW_PATH = Dialect(feed_time=1.0)  # the text of a FreeCAD path, not converted by a post processor
 HEIDENHAIN = Dialect(  # DIN/ISO

@@ -17,7 +17,8 @@ from vkworkbench.core.gcode.flow.subprograms import Subprograms
 from vkworkbench.core.gcode.flow.variables import ALARM, Frame, Value, Variables
 from vkworkbench.language import Message
 
-# Largest number of program lines read in loops, after jumps back and in calls; a line counts at each run.
+# Largest number of program lines read in loops, after jumps back and in calls; a line is counted each time that it is
+# read.
 MOST_LINES = 1_000_000
 MOST_IDLE_LINES = 100_000  # largest number of successive lines in loops and calls that add no command
 MOST_STEPS = 20_000_000  # largest number of calculation steps, which limits the time for all calculations
@@ -180,7 +181,7 @@ class Flow:
             self._variables.frames.pop()
 
     def _forget(self, code: str) -> None:
-        """Mark each variable as unknown to which a line assigns a value, because the line cannot be parsed."""
+        """Store that the variables to which a line assigns values are unknown, because the line cannot be parsed."""
         for number, name in _UNREAD.findall(code):
             unknown = Message("value-unread", name=f"#{number}" if number else f"#<{name.lower()}>")
             if name:

@@ -40,7 +40,7 @@ def _divide(left: float, right: float) -> float:
 
 
 def arc_tangent(left: float, right: float) -> float:
-    """Return the angle of the direction (right, left), degrees."""
+    """Return the angle of the direction with x = `right` and y = `left`, degrees."""
     return math.degrees(math.atan2(left, right))
 
 

@@ -87,7 +87,8 @@ def parse_line(code: str, *, fanuc: bool) -> Control | Words:
     Unreadable
         If the line contains no macro statement, variable or expression, or if one of these contains an error.
     """
-    if len(code) > _LONGEST or '"' in code:  # a text for the operator can contain a number sign
+    # A quoted text for the operator can contain #, which is then not a variable.
+    if len(code) > _LONGEST or '"' in code:
         raise Unreadable
     control = _control(code, fanuc=fanuc)
     if control is not None:

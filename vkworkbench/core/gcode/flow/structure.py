@@ -59,7 +59,8 @@ class Structure:
     lines : Lines
         All lines of the NC program.
     heads : collection of int
-        Indices of the lines with the number of a program. A loop of a Fanuc control must end within its program.
+        Indices of the lines in which a program begins (with its number). A loop of a Fanuc control must end within its
+        program.
 
     Attributes
     ----------

@@ -22,7 +22,7 @@ from vkworkbench.core.gcode.interpreter.state.offset_path import Compensation, C
 from vkworkbench.core.gcode.moves import arcs, codes
 from vkworkbench.language import Message
 
-_SAME = 1e-6  # mm, largest distance between equal points
+_SAME = 1e-6  # mm; points at most this far apart are treated as equal
 _LEFT = (410, 411)
 _STRAIGHT_ON = 0.05  # rad; at a corner with a smaller turn, LinuxCNC adds no arc
 

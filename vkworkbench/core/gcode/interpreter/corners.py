@@ -15,7 +15,7 @@ from vkworkbench.core.gcode.interpreter.state.offset_path import Corner
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_SAME = 1e-6  # mm, largest distance between equal points; rad, largest angle between equal directions
+_SAME = 1e-6  # mm and rad; points or directions that differ by less are equal
 
 
 def write(machine: Machine, mode: int, words: dict[str, float], move: dict[str, float]) -> None:

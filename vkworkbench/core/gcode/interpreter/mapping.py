@@ -9,7 +9,7 @@ from vkworkbench.core.gcode.interpreter.state.maps import mapped, rotation
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_LEAST_PERCENTAGE = 100.0  # a scale is in thousandths if it is a whole number and at least this large
+_LEAST_PERCENTAGE = 100.0  # a scale in a program is in thousandths if it is a whole number and not below this limit
 
 
 def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
@@ -21,7 +21,7 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
     mode : int
         The G-code of the motion, as ten times its number, e.g. 10 for G1.
     move : dict
-        The words of the move before the maps are applied, mm. `move` is changed.
+        The words of the move before the maps are applied, mm. The dictionary `move` is changed.
     """
     xy, relative = machine.map(), machine.modes.relative
     in_plane = xy.flips or xy.factor.imag or xy.factor.real != machine.maps.height[0]

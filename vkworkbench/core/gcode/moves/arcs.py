@@ -15,7 +15,7 @@ LARGEST_CIRCLE = 1e4
 LARGEST_STEP = np.pi / 4
 SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; smaller chords would need too much memory
 SAME_POINT = 1e-6  # mm, largest distance between equal points; FreeCAD saves 6 decimals
-SAME_DIRECTION = 5e-7  # rad; an arc with a sweep below this can be a full circle, as in grbl
+SAME_DIRECTION = 5e-7  # rad; an arc with a smaller sweep can be a full circle, as in grbl
 ROUNDED = 0.02  # mm, largest rounding error of an end point, for a program in inches with three decimals
 
 

@@ -51,8 +51,8 @@ STATES = (
 # the modal codes in KEPT to the commands, because `linearize` needs them.
 KEPT = frozenset([*PLANES, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, TO_START, TO_RETRACT_PLANE])
 PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
-# Codes that store the position for G28 and G30. Mach3 homes the axes whose words are in the line; LinuxCNC moves the
-# tool.
+# Codes that store the position for G28 and G30. If the line also contains axis words, Mach3 homes these axes, and
+# LinuxCNC moves the tool.
 STORED_POSITIONS = frozenset([281, 301])
 MORE_OFFSETS = 541
 NUMBERED_OFFSETS = frozenset([MORE_OFFSETS, 1540])  # G54.1 and G154: the P word is the number of the work offset

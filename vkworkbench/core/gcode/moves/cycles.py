@@ -84,7 +84,7 @@ def heights(
     rows : (m,) int
         Indices of the commands that are cycles, ascending.
     series : (m,) int
-        Number of the series of each cycle. Another motion or G80 ends a series.
+        For each cycle, the number of the series to which the cycle belongs. Another motion or G80 ends a series.
     retract, bottom : (m,) float64
         The cycles' own R and Z words, mm; NaN where absent.
     to_retract_plane : (m,) bool

@@ -29,8 +29,8 @@ _ZERO_LENGTH = 1e-9  # mm; a trajectory is left out if its length along each axi
 def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer_centres: bool = False) -> Toolpath:
     """Convert the commands of one operation into straight trajectories.
 
-    The paper assumes that "all the trajectories are linearized and defined by the Cartesian co-ordinates of their
-    starting point and of their point of destination" (section 2.1). `linearize` computes the trajectories in this form.
+    The trajectories have the form that the paper assumes: "all the trajectories are linearized and defined by the
+    Cartesian co-ordinates of their starting point and of their point of destination" (section 2.1).
 
     Parameters
     ----------
@@ -42,10 +42,10 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
         Largest distance between an arc and its chords, mm.
     infer_centres : bool
         Whether the centre words of arcs may be read as coordinates if the commands contain neither G90.1 nor G91.1.
-        Some controls read centre words as coordinates by default. Only arcs are compared that differ if their centre
-        words are read as offsets or as coordinates; full circles and arcs with an R word are not compared. Coordinates
-        are chosen if more than half of the compared arcs miss their end points when read with offsets, and less than
-        half as many arcs miss their end points when read with coordinates.
+        Some controls read centre words as coordinates by default. The two readings, offsets and coordinates, are
+        compared on all arcs for which they give different arcs; full circles and arcs with an R word are not compared.
+        Coordinates are chosen if more than half of the compared arcs miss their end points when read with offsets, and
+        less than half as many arcs miss their end points when read with coordinates.
 
     Returns
     -------

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from math import pi, sqrt
 from typing import NamedTuple
 
-_SAME = 1e-6  # mm, largest distance between equal points
+_SAME = 1e-6  # mm; points at most this far apart are treated as equal
 
 
 @dataclass
