@@ -78,6 +78,7 @@ def test_random_programs_equal_reading_line_by_line(first, monkeypatch):
         assert everything(text) == line_by_line(text, monkeypatch), seed
 
 
+@pytest.mark.long
 def test_programs_in_several_batches_equal_line_by_line(monkeypatch):
     monkeypatch.setattr(plain_lines, "_LINES", 7)
     monkeypatch.setattr(plain_lines, "_CHARACTERS", 90)

@@ -128,6 +128,7 @@ def wrong_reasons():
                 yield kind, shown
 
 
+@pytest.mark.long
 def test_reasons_of_recognitions_are_right_in_every_language():
     assert list(wrong_reasons()) == []
 
@@ -268,6 +269,7 @@ messages = st.recursive(
 )  # fmt: skip
 
 
+@pytest.mark.long
 @given(messages)
 def test_message_is_unchanged_by_writing_and_reading(message):
     written = json.dumps(message.as_data(), allow_nan=False)

@@ -61,6 +61,7 @@ RELIEVED = [(20, 0), *((f * x, f * y) for x, y in CORNERS for f in (1.0, 1.1, 1.
 AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("degrees", range(0, 360, 15))
 @pytest.mark.parametrize(
     ("stroke", "turns"),

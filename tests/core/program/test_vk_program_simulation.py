@@ -44,6 +44,7 @@ def program(tmp_path):
     return path
 
 
+@pytest.mark.long
 def test_crash_has_the_number_of_its_program_line(program):
     done = vkworkbench.simulate(program)
     found = done.facts()
@@ -54,6 +55,7 @@ def test_crash_has_the_number_of_its_program_line(program):
     assert not done.at(0).zbuffer.chip_volume and done.zbuffer.chip_volume > 0
 
 
+@pytest.mark.long
 def test_stock_of_a_program_is_a_box_around_its_cuts(program):
     """Z0 is the upper face: the cuts are below Z0, and most rapids are above."""
     done = vkworkbench.simulate(program)
@@ -72,6 +74,7 @@ def test_stock_box_ends_at_the_highest_cut_if_z0_is_elsewhere(tmp_path, words, t
     assert vkworkbench.simulate(path, tool=Tool("endmill", 6)).stock.upper[2] == top
 
 
+@pytest.mark.long
 def test_tools_are_given_by_number_or_for_all_operations(program):
     wide = Tool("endmill", 10, cutting_edge_height=1, shank_diameter=10)
     by_number = vkworkbench.simulate(program, tool={1: wide})
@@ -154,6 +157,7 @@ def test_impossible_options_are_refused(program, options, why, capsys):
     assert why in capsys.readouterr().err
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "text, stock, told",
     [

@@ -17,6 +17,7 @@ CONTOURS = {
 }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(40))
 def test_fine_rows_keep_strategy_and_stepover(seed):
     rows = fine_rows(np.random.default_rng(seed), WAYS[seed % len(WAYS)], SHAPES[seed // len(WAYS) % len(SHAPES)])

@@ -116,6 +116,7 @@ def test_reversed_toolpath_keeps_strategy_and_negates_phi(made):
         same_level(found, again, -1)
 
 
+@pytest.mark.long
 @given(anything, angles)
 def test_mirrored_toolpath_keeps_strategy_and_negates_phi(made, angle):
     path, found = path_of(made)
@@ -127,6 +128,7 @@ def test_mirrored_toolpath_keeps_strategy_and_negates_phi(made, angle):
         assert {found.sense, again.sense} == {"ccw", "cw"}
 
 
+@pytest.mark.long
 @given(anything, st.data())
 def test_toolpath_of_divided_moves_keeps_its_strategy(made, data):
     path, found = path_of(made)
@@ -138,6 +140,7 @@ def test_toolpath_of_divided_moves_keeps_its_strategy(made, data):
         assert again.passes == found.passes
 
 
+@pytest.mark.long
 @given(anything)
 def test_toolpath_rounded_to_six_decimals_keeps_its_strategy(made):
     _, found = path_of(made)

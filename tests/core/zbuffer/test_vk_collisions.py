@@ -112,6 +112,7 @@ def test_shank_wider_than_flutes_collides_in_a_plunge():
     assert told((moves, MILL)) == {("shank", 0): (1, 1, 2.0)}
 
 
+@pytest.mark.long
 def test_shank_hits_a_ridge_before_the_flutes():
     """The tool removes the ridge in the same move, but the shank is ahead of it."""
     wide = Tool("endmill", 10, cutting_edge_height=50, length=80, shank_diameter=10)
@@ -165,6 +166,7 @@ def test_tools_with_unknown_sizes_are_reported_as_unchecked():
     )
 
 
+@pytest.mark.long
 def test_tool_or_holder_in_a_clamp_is_a_collision():
     clamps = {"left": Stock((-30, 0, 0), (0, 40, 42)), "screw": Cylinder((30, 60, 0), 10, 80)}
     tool = Tool("endmill", 6, cutting_edge_height=8, length=30, shank_diameter=6)

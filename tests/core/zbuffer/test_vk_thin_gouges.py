@@ -37,6 +37,7 @@ def found(*cuts, model=MODEL, pixel=0.5, **given):
     ]
 
 
+@pytest.mark.long
 def test_slot_too_deep_is_a_gouge_from_first_to_last_command():
     path = [*slot(50.1, 18.0), *slot(80.1, 17.5), *slot(90.1, 17.95), *slot(110.1, 16.0)]
     assert found(cut(*path)) == [(0, 4, 5, 0.5), (0, 12, 13, 2.0)]
@@ -44,6 +45,7 @@ def test_slot_too_deep_is_a_gouge_from_first_to_last_command():
     assert found(cut(*path, allowed=0.5)) == [(0, 12, 13, 2.0)] and found(cut(*path, allowed=np.inf)) == []
 
 
+@pytest.mark.long
 def test_pocket_that_is_too_deep_is_one_gouge():
     """Rows, a rapid around them, and a slot that touches the first row are one gouge.
 
@@ -78,6 +80,7 @@ def test_gouge_in_a_slope_is_measured_perpendicular_to_it():
     assert (first, last) == (0, 0) and depth == pytest.approx(1 / np.sqrt(2), rel=0.15)
 
 
+@pytest.mark.long
 def test_thin_gouges_exclude_wide_tools_and_cuts_at_model_height():
     deep, level = slot(50.1, 17.0), slot(50.1, 18.0)
     assert thin_gouges([cut(*deep, tool=Tool("endmill", 6))], PLATE, seen()).cuts == ()
@@ -85,6 +88,7 @@ def test_thin_gouges_exclude_wide_tools_and_cuts_at_model_height():
     assert found(cut(*level)) == []
 
 
+@pytest.mark.long
 def test_moves_beyond_the_time_limit_are_reported_unchecked():
     cuts = [cut(*slot(50.1, 17.0))]
     thin = thin_gouges(cuts, PLATE, seen(), seconds=0)
