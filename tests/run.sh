@@ -82,7 +82,7 @@ flock --nonblock 9 || { echo "Waiting for another run of the tests in this check
 rm -rf "$results"
 [ "$layers" != tools ] || suites=""
 [ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB." \
-    "The tests take about half an hour on two processors"
+    "The tests take about 25 minutes on two processors"
 # The machine makes the roots, so it needs the packages even if its own release is not tested.
 [ -z "$suites" ] || prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
 [ -x /usr/bin/python3 ] || { echo "There is no /usr/bin/python3: nothing was tested"; exit 1; }

@@ -9,11 +9,14 @@ import sys
 import zipfile
 from pathlib import Path
 
+import pytest
+
 TESTS = Path(__file__).resolve().parents[1]
 sys.path.append(str(TESTS.parent / "resources"))
 import make_release
 
 
+@pytest.mark.long
 def test_new_user_can_follow_the_guide(example_path, tmp_path):
     home = tmp_path / "home"
     for place in (home / ".local/share/FreeCAD/Mod", home / ".local/share/FreeCAD/v1-1/Mod"):
