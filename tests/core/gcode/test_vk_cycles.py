@@ -32,6 +32,15 @@ def test_deep_hole_cycle_returns_at_rapid_above_last_peck():
     assert returns.round(3).tolist() == [2, -0.746, 2, -3.746, 2]
 
 
+def test_sign_of_a_peck_depth_is_ignored():
+    text = "G21 G90\nG0 X0 Y0 Z5\nG99 G83 X1 Y1 Z-5 R2 Q{} F100\nG80"
+    assert points(text.format("-3")) == points(text.format("3")) != points(text.format("9"))
+
+
+def test_peck_depth_of_a_tap_has_a_remark():
+    assert codes("G21 G90 S100\nG0 X0 Y0 Z5\nG84 X1 Z-5 R2 Q3 F100\nG80") == ["word-not-read"]
+
+
 def test_chip_breaking_cycle_continues_at_feed_after_retract():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG99 G73 X1 Y1 Z-5 R2 Q3 F100\nG80").toolpath()
     assert np.column_stack([path.points[1:, 2], path.rapid])[2:].round(3).tolist() == [

@@ -347,6 +347,7 @@ def test_unknown_codes_have_a_remark():
     ({"X": 1, "Y": 1}, "An arc without a usable center or radius is read as a line."),
     ({"X": 10, "Y": 0, "R": 1}, "An arc without a usable center or radius is read as a line."),
     ({"X": 10, "Y": 0, "I": 2, "J": 0}, "An arc that does not end on its circle is read with a changing radius."),
+    ({"X": 20, "Y": 0, "I": -5, "J": 0}, "An arc that does not end on its circle is read with a changing radius."),
 ])  # fmt: skip
 def test_impossible_arcs_end_at_their_target(arc, message):
     toolpath = path(START, ("G2", arc))

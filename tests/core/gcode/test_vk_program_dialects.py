@@ -85,6 +85,14 @@ def test_machine_positions_of_heidenhain_are_not_coordinates():
     assert [problem.what.code for problem in program.problems] == ["machine-height", "machine-position"]
 
 
+def test_distance_modes_of_heidenhain_apply_from_their_word_on():
+    begin, end = "%A G71\nG00 G90 X+5 Y+5 Z+50\n", "\nN9 %A G71"
+    mixed = read_program(begin + "G01 X+10 G91 Y+5 F100\nX+1 G90 Y+2\nG91 X+1 G90 Y+3 G91" + end)
+    assert mixed.toolpath().points[1:].tolist() == [[10, 10, 50], [11, 2, 50], [12, 3, 50]] and mixed.problems == ()
+    unknown = read_program("%A G71\nG00 G90 Z+50\nG01 X+10 G91 Z-60 F100" + end)
+    assert [problem.what.code for problem in unknown.problems] == ["word-not-read"]
+
+
 def test_call_of_another_heidenhain_program_has_a_remark():
     begin = "%A G71\nG00 G90 X+0 Y+0 Z+50\n"
     assert said(begin + "%B\nG01 X+5 F100\nN9 %A G71") == ["Line 3: A subprogram or macro call is ignored."]

@@ -31,6 +31,10 @@ def leave_holes(machine: Machine, mode: int) -> None:
 def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: dict[str, float]) -> int:
     """Return the number of repeats of a canned cycle, and change `move` to the words that `linearize` reads."""
     move.pop("K", None)
+    if "Q" in move:
+        move["Q"] = abs(move["Q"])  # Fanuc controls ignore the sign of Q
+        if mode in codes.TAPPING:
+            machine.problem(Message("word-not-read", letter="Q"))
     pecks = [letter for letter in "IJK" if letter in parameters]
     letter = "L" if "L" in parameters else "K"
     drills_once = mode not in (*codes.PECKING, codes.BORING)

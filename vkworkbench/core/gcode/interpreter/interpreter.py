@@ -70,18 +70,40 @@ class Interpreter(Machine):
             Whether the line ends the program or subprogram at once (M99). M2 and M30 set `ended` instead.
         """
         self.number, self.deleted, self.call = number, deleted, None
+        if self.dialect is HEIDENHAIN:
+            words = self._in_one_distance_mode(words)
         line = Line(words, letters, {})
         returns = self._take_words(line)
         if "S" in letters and self.modes.per_turn is not None:  # under G95, a new spindle speed changes the feed rate
             line.parameters.setdefault("F", self.modes.per_turn)
         if line.codes or "F" in line.parameters:
             self._note_feed(line)
-        both = codes.ABSOLUTE in line.codes and codes.RELATIVE in line.codes
+        both = codes.ABSOLUTE in line.codes and codes.RELATIVE in line.codes and self.dialect is not HEIDENHAIN
         if both and not (line.apart or letters.isdisjoint("XYZ")):
             self.problem(Message("two-motions"))
         move_of(self, line)
         self.ended |= ("M", 2.0) in words or ("M", 30.0) in words
         return returns
+
+    def _in_one_distance_mode(self, words: list[tuple[str, float]]) -> list[tuple[str, float]]:
+        """Return the words of a line, with all coordinates for the line's last G90 or G91.
+
+        On Heidenhain controls, G90 and G91 are in force only for the coordinates after them, also within a line.
+        """
+        modes = [value for letter, value in words if letter == "G" and value in (90.0, 91.0)]
+        if not modes:
+            return words
+        relative, here, result = self.modes.relative, self.coordinates(), []
+        for letter, value in words:
+            if letter == "G" and value in (90.0, 91.0):
+                relative = value == 91.0
+            elif letter in "XYZ" and relative != (modes[-1] == 91.0):
+                if letter not in here:
+                    self.problem(Message("word-not-read", letter=letter))
+                    continue
+                value += here[letter] if relative else -here[letter]
+            result.append((letter, value))
+        return result
 
     def _take_words(self, line: Line) -> bool:
         """Process the codes and the tools of a line, and store the parameters of its motion.

@@ -57,7 +57,7 @@ def resolve_arcs(
     problems.add(rows[unknown_start], Message("arc-before-start"))
     bad = resolved.degenerate & ~unknown_start
     problems.add(rows[bad], Message("arc-as-line"))
-    uneven = (resolved.gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & (resolved.sweep != 0) & ~unknown_start
+    uneven = (resolved.gap > np.maximum(0.1, 0.01 * resolved.radius[:, 0])) & ~resolved.degenerate & ~unknown_start
     problems.add(rows[uneven], Message("arc-of-changing-radius"))
     turns = np.nan_to_num(words.column("P", rows)[0], nan=1.0)
     usable = (turns <= _MOST_TURNS) & (turns % 1 == 0)
