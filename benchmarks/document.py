@@ -3,8 +3,8 @@
 
     VKWORKBENCH_DOCUMENT=FILE.FCStd freecadcmd $PWD/benchmarks/document.py
 
-The script analyses and marks the document, saves and opens a copy, analyses the copy, and simulates each job. It prints
-one JSON record after the word RESULT, with the operations by FreeCAD's class and pattern, and all errors.
+The script analyses and marks the document, saves and opens a copy, analyses the copy, and simulates each job. The
+script prints one JSON record after the word RESULT, with the operations by FreeCAD's class and pattern, and all errors.
 """
 
 from __future__ import annotations

@@ -3,9 +3,9 @@
 
     xvfb-run -a freecad $PWD/benchmarks/freecad_dead_widgets.py
 
-The script opens and closes the preferences and the panel of the simulator. Then it prints the number of deleted widgets
-that PySide considers alive, and how often the simulator could not be opened. If Qt creates another object at the
-address of a deleted widget, PySide confuses the object with the widget, and FreeCAD may crash. The script does not
+The script opens and closes the preferences and the panel of the simulator. Then the script prints the number of deleted
+widgets that PySide considers alive, and how often the simulator could not be opened. If Qt creates another object at
+the address of a deleted widget, PySide confuses the object with the widget, and FreeCAD may crash. The script does not
 import the add-on.
 """
 

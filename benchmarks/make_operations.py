@@ -70,14 +70,14 @@ class Part:
         self.controllers = {}
 
     def controller(self, shape, diameter):
-        """Return the tool controller for a tool of this shape and diameter."""
+        """Return the tool controller for a tool with the given shape and diameter."""
         if (shape, diameter) not in self.controllers:
             number = len(self.controllers) + 2
             self.controllers[shape, diameter] = tool_controller(self.document, number, "Tool", shape, diameter, 600)
         return self.controllers[shape, diameter]
 
     def names(self):
-        """Return the names of all objects."""
+        """Return the names of all objects in the document."""
         return {obj.Name for obj in self.document.Objects}
 
     def make(self, kind, label, truth, base, diameter, tool="endmill.fcstd", **properties):

@@ -127,7 +127,7 @@ def measure(count: int) -> None:
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(operations[0])
 
-    # Each measurement: the preparation, the measured action, and the condition for the end of the action.
+    # Each entry has three functions: the preparation, the measured action, and the condition for the end of the action.
     done = {
         "a changed path is recomputed, no marks": (
             lambda: change(operations[0]), document.recompute, lambda: True),

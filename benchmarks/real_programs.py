@@ -7,10 +7,11 @@
 
 real_programs.csv names programs in public repositories, the lines of each operation, and the strategies that count as
 right. People labelled the operations from titles and plots, without seeing a verdict. The rules were written with the
-programs of real_programs.csv, but without the programs of real_programs_unseen.csv. The model learns from both
-(make_table.py). The programs belong to their owners and stay in FOLDER, together with operations.jsonl.gz and
-programs.jsonl.gz. The file told.jsonl.gz contains the operations whose tool is stated in the program, with the tool's
-diameter. The script leaves out programs that cannot be fetched or whose text has changed, and prints their names.
+programs of real_programs.csv, but without the programs of real_programs_unseen.csv. The model is learned from the
+programs of both tables (make_table.py). The programs belong to their owners and stay in FOLDER, together with
+operations.jsonl.gz and programs.jsonl.gz. The file told.jsonl.gz contains the operations whose tool is stated in the
+program, with the tool's diameter. The script leaves out programs that cannot be fetched or whose text has changed, and
+prints their names.
 """
 
 from __future__ import annotations

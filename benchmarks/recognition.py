@@ -8,7 +8,7 @@ FILE contains operations, and PROGRAMS contains whole programs with their sectio
 Toolpaths that differ by less than a micrometre count once. Operations of FILE are also joined to pairs, and
 toolpaths/nonsense.py makes nonsense paths. The shipped trees may have been learned from FILE. Therefore --sources
 prints the accuracy on sources that were left out of the learning, which needs scikit-learn (see learn_model.py) and
-some minutes. --speed prints only the cost. Without files, the toolpaths of toolpaths/synthetic.py and strokes.py are
+some minutes. --speed measures only the time. Without files, the toolpaths of toolpaths/synthetic.py and strokes.py are
 used. Without --sources, the script needs numpy only.
 """
 
@@ -137,14 +137,14 @@ def linked_squares(n: int) -> Toolpath:
 
 
 def obvious(points: np.ndarray) -> np.ndarray:
-    """Return phi, the sum of the turns, by the obvious numpy steps: differences, arctan2, wrap, cumulative sum."""
+    """Return phi, the sum of the turns, by plain numpy steps: differences, arctan2, wrap, cumulative sum."""
     steps = np.diff(points[:, :2], axis=0)
     alpha = np.arctan2(steps[:, 1], steps[:, 0])
     return np.cumsum((np.diff(alpha) + np.pi) % (2 * np.pi) - np.pi)
 
 
 def times(path: Toolpath) -> np.ndarray:
-    """Return processor times of a recognition and of the obvious numpy steps, measured in turns, (k, 2) s.
+    """Return the processor times of `recognize` and of plain numpy steps for phi, measured alternately, (k, 2) s.
 
     A computer's speed changes from second to second, so only successive times can be compared.
     """
@@ -159,7 +159,7 @@ def times(path: Toolpath) -> np.ndarray:
 
 
 def speed() -> None:
-    """Print the time of a recognition as a multiple of the obvious numpy steps, and how it grows with the length."""
+    """Print the time of `recognize` divided by the time of plain numpy steps, for paths of growing length."""
     print(
         f"speed with numpy {np.__version__}: time of recognize / time of the obvious pipeline (median), "
         "and time per trajectory / that at 17,000"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parts of make_operations.py: plates with pockets of many outlines, and sculptured blocks. Runs in FreeCAD.
+"""The parts of make_operations.py: plates with pockets of many outlines, and sculptured blocks. Needs FreeCAD.
 
 SHAPES maps a name to a function that returns a solid, mm, whose lower side is at z = 0.
 """

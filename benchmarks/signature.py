@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compare the time of the signature with the obvious numpy steps, and measure its growth with the trajectories.
+"""Compare the time for the signature with the time for plain numpy steps, for different numbers of trajectories.
 
     python3 benchmarks/signature.py
 
@@ -19,7 +19,7 @@ from vkworkbench.core import signature
 
 
 def obvious(points):
-    """Return alpha, the turns and phi by the obvious numpy steps."""
+    """Return alpha, the turns and phi, computed by plain numpy steps."""
     step = np.diff(points, axis=0)
     alpha = np.arctan2(step[:, 1], step[:, 0])
     turning = (np.diff(alpha) + np.pi) % (2 * np.pi) - np.pi
@@ -35,7 +35,7 @@ def zigzag(count):
 
 
 def best_pair(first, second, runs):
-    """Return the best times of two functions. The functions are called in turns, so that both run at the same speed."""
+    """Return the shortest time of each of two functions, which are called alternately to run at the same speed."""
     times = np.empty((runs, 2))
     for run in range(runs):
         for column, function in enumerate((first, second)):

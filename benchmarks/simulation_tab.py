@@ -4,7 +4,8 @@
     benchmarks/in_window.sh simulation_tab [0.20.2|1.0.0|1.1.3]
 
 The shell script gives FreeCAD a separate home folder, without the user's settings. The jobs are the example job, and
-two jobs of 100,000 trajectories, in 20 operations and in one operation. For each simulator, a row of the table shows:
+two jobs of 100,000 trajectories, one divided into 20 operations, the other with a single operation. For each simulator,
+a row of the table shows:
 
 * the time from the click to the first picture and to the finest picture, with the processor times in parentheses
 * the pictures per second while the time line is dragged
@@ -88,7 +89,7 @@ def long(folder: Path):
 
 
 def made(folder: Path, across: int = 5, along: int = 4, layer: float = 0.1):
-    """Make the example's job with 100,000 moves in pockets of many depths, by turns zigzag and contour-parallel."""
+    """Make the example's job with 100,000 moves in pockets of many depths, alternately zigzag and contour-parallel."""
     document = example(folder)
     job = next(obj for obj in document.Objects if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj))
     controller = job.Tools.Group[1]
@@ -308,7 +309,7 @@ def opengl(document):
 
     from vkworkbench.core.simulators import opengl_speeds
 
-    Gui.activateWorkbench("CAMWorkbench")  # loads the pictures of the simulator's buttons
+    Gui.activateWorkbench("CAMWorkbench")  # activating the workbench loads the simulator's button icons
     panel = module.CAMSimulation()
     waiting, memory, watch = Waiting(), resident(), Watch()
     panel.Activate()

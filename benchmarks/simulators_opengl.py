@@ -44,7 +44,7 @@ def run(samples, out):
 
     Each prediction is multiplied by the median ratio of time to prediction in the runs before it.
     """
-    FreeCADGui.activateWorkbench("CAMWorkbench")  # loads the pictures of the simulator's buttons
+    FreeCADGui.activateWorkbench("CAMWorkbench")  # activating the workbench loads the simulator's button icons
     speed = max(opengl_speeds(freecad.version()))
     simulator = PathSim()
     cases = []

@@ -4,8 +4,8 @@
 
     python3 benchmarks/thresholds.py [--rules] [NAME ...] [FILE.jsonl.gz ...]
 
-Each threshold is divided by 1,000, halved, doubled and multiplied by 1,000. Shares, cosines and angles are set to the
-ends of their range instead of the factor 1,000. The toolpaths come from toolpaths/synthetic.py, strokes.py and the
+Each threshold is divided by 1,000, halved, doubled and multiplied by 1,000. Shares, cosines and angles are also halved
+and doubled, but then set to the ends of their range. The toolpaths come from toolpaths/synthetic.py, strokes.py and the
 files (in the form that recognition.py reads). NAME, such as ROWS or ROWS.MAX_DISTANCE, selects thresholds. The script
 needs numpy only.
 

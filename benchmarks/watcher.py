@@ -3,9 +3,9 @@
 
     freecadcmd $PWD/benchmarks/watcher.py
 
-Recomputes with and without the watcher take turns in one run. The script prints the shortest and the median time of
-both, and their ratio. The script also prints the share of the recompute's time that the watcher's own functions take,
-which noise does not affect. The exit status is 1 if this share is not below 1 %.
+Recomputes with and without the watcher take turns in one run. The script prints the shortest and the median time of a
+recompute with and without the watcher, and their ratio. The script also prints the share of the recompute's time that
+the watcher's own functions take, which noise does not affect. The exit status is 1 if this share is not below 1 %.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ def main() -> None:
 
 
 def processor_time(function, runs=1):
-    """Return the time of the fastest run, s, and its result."""
+    """Return the processor time of the fastest run of a function, s, and the function's result."""
     durations = []
     for _ in range(runs):
         begin = time.process_time()

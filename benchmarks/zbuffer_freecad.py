@@ -6,8 +6,8 @@
 Both simulators cut the same toolpaths with the same cell size, one after the other, in this process on one core. The
 toolpaths are the cases of zbuffer_cases.py and the example job with all its tools. The script prints the processor
 times, the best of three runs, and their ratio. For the view from (1, 1, -1), the image has the same number of pixels,
-and the z-buffer is compared with FreeCAD's time from above. The last lines show how long it takes to show any moment of
-the example job.
+and the z-buffer's time is compared with FreeCAD's time for the view from above. The last lines show how long it takes
+to show any moment of the example job.
 """
 
 from __future__ import annotations

@@ -102,7 +102,7 @@ def print_rules() -> None:
 
 
 def print_measures() -> None:
-    """Print the first measures."""
+    """Print the first of the measures that describe the section."""
     measures = measure_section(_section())
     print(f"{len(measures)} measures, among them:")
     for name in list(measures)[:8]:

@@ -237,7 +237,8 @@ def add_surprises(doc):
         cam("Post.scripts.gcode_pre").insert(path, doc.Name)
     (program,) = [op for op in job.Operations.Group if op not in before]
     program.Label = "O1234"
-    job.Operations.Group = [*before[:-1], program, before[-1]]  # the plate is cut out last
+    # The operation that cuts out the plate stays the last one.
+    job.Operations.Group = [*before[:-1], program, before[-1]]
     doc.recompute()
     pocket = next(op for op in job.Operations.Group if op.Label == "Pocket around island")
     setattr(pocket, "ClearingPattern" if VERSION >= (1, 1) else "OffsetPattern", "ZigZag")
