@@ -74,8 +74,9 @@ class Rows:
 def find_rows(moves: Areas, chosen: np.ndarray) -> list[Rows]:
     """Find up to two families of parallel rows among the chosen moves.
 
-    The Gauss image of rows is two opposite points of the circle. If opposite directions count as one, the axis of a
-    family is the densest direction of the Gauss image. Grids and crossed rasters have a second family of rows.
+    The moves of parallel rows have only two directions, which are opposite to each other. If opposite directions count
+    as one, the axis of the rows is the most frequent direction, weighted by length. Grids and crossed rasters have a
+    second family of rows.
 
     Parameters
     ----------
@@ -310,7 +311,7 @@ def _leaves_line(moves: Areas, before: np.ndarray, after: np.ndarray, forward: n
 
 
 def _sampled_lines(moves: Areas, passes: _Passes, axis: float) -> np.ndarray:
-    """Return a sample of the passes for `Rows.lies`, (p, 3) mm."""
+    """Return a sample of the passes, with the columns that `Rows.lies` describes, (p, 3) mm."""
     some = slice(None, None, len(passes.first) // ROWS.CROSSING + 1)
     first, reach = passes.first[some], np.where(passes.forward, passes.length, -passes.length)[some]
     x, y = moves.x[first], moves.y[first]
@@ -322,15 +323,16 @@ def _sampled_lines(moves: Areas, passes: _Passes, axis: float) -> np.ndarray:
 def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     """Return the distance after which most lines repeat, mm; return the pitch if most lines do not repeat.
 
-    A lattice has two sets of lines in each pocket. The distance between two sets is arbitrary. Only the distance
-    between the lines of one set repeats.
+    The rows of a lattice (rows that bounce from wall to wall) are two interleaved sets of evenly spaced lines in each
+    pocket. The distance between the two sets is arbitrary. Only the distance between the lines of one set repeats, and
+    this distance is the period.
 
     Parameters
     ----------
     gaps : (g,) float
         Distances between neighbouring lines, in order, mm.
     pitch, line : float
-        Usual gap, and largest distance between passes on one line, mm.
+        Median distance between neighbouring lines, and largest distance between passes on one line, mm.
     """
     if len(gaps) < 2 or np.ptp(gaps) < _EQUAL * pitch:
         return pitch
@@ -356,7 +358,7 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
 
 
 def _main_axis(moves: Areas, chosen: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
-    """Find the axis along which most of the chosen length lies.
+    """Find the axis to which the chosen moves with the largest total length are parallel.
 
     Returns
     -------
@@ -460,8 +462,9 @@ def _fills(family: Rows, tool: float) -> bool:
 
 
 def _walls(family: Rows) -> bool:
-    """Return whether the passes of a closed contour are the walls of teeth.
+    """Return whether the passes of a closed contour are the walls of a comb's teeth, and not rows.
 
-    Teeth and gaps of different widths alternate, so that the period of the lines is longer than the pitch.
+    Teeth and the gaps between teeth have different widths, so that the period of the lines is longer than the distance
+    between neighbouring lines.
     """
     return family.period > ROWS.WALLS * family.pitch

@@ -31,7 +31,7 @@ from vkworkbench.core.recognition.thresholds import (
     WINDINGS,
 )
 
-_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # a box times _LOW has its outermost sides as its lowest numbers
+_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # the outermost side of several boxes * _LOW is always the lowest number
 
 
 class Corrections(NamedTuple):
@@ -62,12 +62,12 @@ class Section:
     Attributes
     ----------
     moves : Areas
-        The moves of the pattern: without leads and spurs (detours out and back on one line), and with contours over
-        holding tags joined.
+        The moves of `areas` without leads and spurs (detours out and back on one line), and with the parts of contours
+        that are lifted over holding tags joined.
     wound : float
         Share of the length in helical lead-ins, which are not in `moves`.
     in_strokes : float
-        Share of the length in contours that are cut in strokes with lifts between them.
+        Share of the length in contours whose parts between holding tags are cut separately.
     """
 
     def __init__(self, areas: Areas, tool: float) -> None:
@@ -78,12 +78,12 @@ class Section:
 
     @cached_property
     def pieces(self) -> Pieces:
-        """The p pieces of the section's pattern."""
+        """The p pieces (loops, turns of windings, zigzags and strokes) of the section's moves."""
         return cut_pieces(self.moves)
 
     @cached_property
     def length(self) -> float:
-        """Length of all pieces, mm."""
+        """Length of all moves of the section, without leads and spurs, mm."""
         return float(self.pieces.length.sum())
 
     @cached_property
@@ -92,7 +92,10 @@ class Section:
 
     @cached_property
     def _kinds(self) -> np.ndarray:
-        """Kind of each piece, (p,) int. A small loop in a zigzag is ZIGZAG; a slot cut back and forth is STROKE."""
+        """Kind of each piece, (p,) int: LOOP, WINDING, ZIGZAG or STROKE.
+
+        A small loop between the rows of a zigzag has the kind ZIGZAG; a slot cut back and forth has the kind STROKE.
+        """
         kinds = _absorbed(self.pieces)
         kinds[self._slots] = STROKE
         return kinds
@@ -104,7 +107,7 @@ class Section:
 
     @cached_property
     def retraced(self) -> float:
-        """Share of the length in pieces that go back and forth on one line."""
+        """Share of the section's length in zigzags on one line, such as slots cut back and forth."""
         return float(self.pieces.length[self._slots].sum()) / self.length
 
     @cached_property
@@ -144,7 +147,10 @@ class Section:
 
     @cached_property
     def lattice(self) -> np.ndarray:
-        """Whether each ring possibly consists of rows, (k,) bool. Passes of a lattice can form a winding by chance."""
+        """Whether each ring possibly consists of rows, (k,) bool.
+
+        Passes that bounce from wall to wall (a lattice) can look like a winding by chance.
+        """
         rings = self.rings
         wavy = self.pieces.wavy[rings.index]
         # Wavy loops that are offsets of each other follow a concave contour and are not rows.
@@ -167,7 +173,7 @@ class Section:
         """The families of rows, at most two. A family consists of all parallel passes along one axis."""
         pieces, rowlike = self.pieces, self._rowlike
         if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
-            return []  # pieces of so little length are links between loops
+            return []  # pieces with such a small total length are links between loops
         if rowlike.all():
             return find_rows(self.moves, np.arange(len(self.moves)))
         return find_rows(self.moves, np.flatnonzero(np.repeat(rowlike, pieces.end - pieces.start)))
@@ -240,9 +246,10 @@ class Section:
         return bool(small and shallow and shapes >= LETTERS.COUNT and shapes > STROKES.DISTINCT * self.rings.distinct)
 
     def ends_with_contour(self) -> bool:
-        """Return whether the last piece at most depths (by length) is a large closed contour, a finishing pass.
+        """Return whether the cut at most depths (weighted by length) ends with a large contour, a finishing pass.
 
-        A contour around the part, or inside a pocket, is larger than half of the ground that is cut at its depth.
+        A finishing contour is larger, in both directions, than half of the bounding box of everything that is cut at
+        its depth.
         """
         pieces = self.pieces
         level = np.flatnonzero(pieces.flat & (pieces.length > NEGLIGIBLE.PASS * pieces.length.max()))
@@ -271,8 +278,8 @@ class Section:
             return 0.0, 0.0
         depth = number_depths(np.concatenate([pieces.z[row], pieces.z[ring]]))
         of_row, of_ring, depths = depth[: len(row)], depth[len(row) :], int(depth.max()) + 1
-        # Compare with the largest rings of each depth, because smaller rings go around islands or lie inside other
-        # rings.
+        # Compare the rows with the largest rings of each depth, because smaller rings go around islands or lie inside
+        # other rings.
         order = np.lexsort((-np.hypot(*(pieces.box[ring, 2:] - pieces.box[ring, :2]).T), of_ring))
         rank = np.arange(len(ring)) - np.searchsorted(of_ring[order], of_ring[order])
         inside = np.zeros(len(row), bool)
@@ -291,10 +298,11 @@ class Section:
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
     def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield the rings that are cut after some strokes, (s,) int, then the rings that are cut before these strokes.
+        """Yield the rings that are cut next after the given strokes, (s,) int, and then those cut last before them.
 
-        The rings are indices of pieces. For each of the two choices, the iterator also yields how far the strokes lie
-        inside the rings' bounding boxes, mm, and whether stroke and ring have the same depth.
+        Rings and strokes are given by the indices of their pieces. With each of the two arrays of rings, the iterator
+        yields how far the strokes lie inside the rings' bounding boxes, mm, and whether stroke and ring have the same
+        depth.
         """
         pieces, ring = self.pieces, self.rings.index
         after = np.clip(np.searchsorted(ring, strokes), 0, len(ring) - 1)
@@ -309,10 +317,10 @@ class Section:
         """Return the share of the cutting length in open strokes that clear the inside of a ring.
 
         The ring is the ring cut last before or first after the stroke, at the same depth. A stroke that clears goes
-        back and forth, because a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the
-        ring; a stroke farther inside leaves uncut ground and is another contour that is not quite closed. A stroke that
-        clears encloses less area for its length than the ring; a stroke that encloses as much is a repetition of the
-        ring.
+        back and forth; a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the ring; a
+        stroke farther inside would leave uncut ground, so it is a separate contour that is not quite closed. A stroke
+        that clears encloses less area for its length than the ring; a stroke that encloses as much is a repetition of
+        the ring.
         """
         pieces, strokes = self.pieces, self.strokes.index
         strokes = strokes[pieces.passes[strokes] > 1]
@@ -333,10 +341,10 @@ def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
 
 
 def _absorbed(pieces: Pieces) -> np.ndarray:
-    """Return the kinds of the pieces, with small loops inside a zigzag counted as parts of the zigzag.
+    """Return the kind of each piece, where small loops inside a zigzag have the kind ZIGZAG.
 
-    A zigzag that follows the boundary between its rows makes small loops. Only a loop that surrounds the rows is a
-    contour.
+    A zigzag that follows the boundary between its rows makes small loops. A loop is a contour, and not a part of the
+    zigzag, only if the loop surrounds the zigzag's rows.
     """
     kind = pieces.kind.copy()
     zigzag = np.flatnonzero(kind == ZIGZAG)
@@ -372,7 +380,7 @@ def _long(pieces: Pieces, which: np.ndarray) -> np.ndarray:
 
 
 def _turned_against(moves: Areas, pieces: Pieces, rings: Rings) -> Corrections:
-    """Return the turning of each winding against its sense.
+    """Return the turns of each winding that are opposite to its sense of rotation.
 
     Bends within rounding do not count, because finely sampled spirals have many such bends.
     """

@@ -15,13 +15,14 @@ def without_spurs(moves: Areas) -> Areas:
     """Return the areas, without the spurs of closed areas.
 
     A spur is a move and its exact reversal, shorter than the moves before and after. The half turn of a spur has no
-    sign, so that phi of a contour with corner reliefs does not reach 2 pi. Without the spur, the tool turns from the
-    move before the spur to the move after the spur. If spurs are a large share of an area, they are rows and stay.
+    sign, so that the turns of a contour with reliefs in its corners do not add up to 2 pi. Without the spur, the tool
+    turns from the move before the spur to the move after the spur. If the spurs have a large share of an area's length,
+    they are rows and are not removed.
     """
     out = moves.reversals - 1
     if not len(out):
         return moves
-    inside = np.ones(len(moves) + 2, bool)  # excludes the first move of an area
+    inside = np.ones(len(moves) + 2, bool)  # False for the first move of each area and beyond the last move
     inside[moves.start] = inside[len(moves) :] = False
     out = out[inside[out] & inside[out + 2]]
     back_x = moves.dx[out] + moves.dx[out + 1]
@@ -32,13 +33,13 @@ def without_spurs(moves: Areas) -> Areas:
     area = np.searchsorted(moves.start, out, side="right") - 1
     spent = np.bincount(area, moves.length[out] + moves.length[out + 1], len(moves.start))
     out = out[moves.closed[area] & (spent[area] < SPURS.LENGTH * moves.area_length[area])]
-    out = out[np.diff(out, prepend=-4) > 2]  # a spur directly after another spur stays
+    out = out[np.diff(out, prepend=-4) > 2]  # if one spur directly follows another spur, only the first spur is removed
     if not len(out):
         return moves
     after = out + 2
     turn = closing_turns(moves.alpha, after, out)
     more = np.zeros(len(moves))
-    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # in place of the spur's turns
+    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # replaces the spur's turns
     turning = moves.turning.copy()
     turning[after] = turn
     more = np.cumsum(more)
@@ -52,7 +53,7 @@ def without_spurs(moves: Areas) -> Areas:
 def some_moves(moves: Areas, kept: np.ndarray) -> Areas:
     """Return the areas with only the moves that `kept` (m,) bool selects, at least one in every area.
 
-    If the first moves of an area are removed, phi begins at 0 with the first kept move.
+    If the first moves of an area are removed, the cumulative angle phi begins at 0 with the first kept move.
     """
     place = np.cumsum(kept) - 1
     names = ("index", "x", "y", "z", "dx", "dy", "dz", "length", "alpha", "turning", "phi")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure open strokes, which are bites of adaptive clearing, open contours or letters."""
+"""Measure open strokes, which are cuts (bites) of adaptive clearing, open contours or letters."""
 
 from __future__ import annotations
 
@@ -26,7 +26,8 @@ class Strokes:
         Length of each stroke, mm.
     bite : (k,) bool
         Whether the stroke bends by more than a quarter turn in the sense of most strokes, and lies close to the bent
-        stroke before or after it at the same depth. Adaptive clearing cuts such arcs one after the other.
+        stroke before or after it at the same depth. Adaptive clearing cuts many bent strokes side by side, one after
+        the other.
     against : (k,) bool
         Whether the stroke bends by more than a quarter turn in the sense opposite to most strokes.
     sloped : (k,) bool
@@ -78,8 +79,8 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     beside[1:] |= meets
     bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
     with_most = sense == common
-    # If most strokes that bend in the common sense are not close to the bent stroke before or after them, the other
-    # strokes are close to each other by chance.
+    # Most strokes with the common sense must be close to a neighbouring bent stroke. Otherwise, the few strokes that
+    # are close are so by chance, and are not bites.
     if np.count_nonzero(with_most & beside) >= MAJORITY.SHARE * np.count_nonzero(with_most):
         bite[bent[with_most & beside]] = True
     against[bent[sense == -common]] = True

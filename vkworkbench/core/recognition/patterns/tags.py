@@ -12,12 +12,13 @@ from vkworkbench.core.recognition.thresholds import MAJORITY, ROUNDING, TAGS
 
 
 def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
-    """Join areas that follow one another around a closed contour.
+    """Join the areas (cuts between two lifts) that together form one closed contour.
 
-    Between two such areas, the tool is lifted, and continues at the same place or farther ahead in the same direction.
-    The move before each gap is extended to bridge the gap. Cuts over a tag are part of the contour. Rows that are
-    lifted over an island also continue ahead, but do not close. If each stroke between tags is cut to its full depth
-    before the next stroke, the joined contour goes around as often as a stroke has passes.
+    Between two areas of one contour, the tool is lifted, and continues at the same place or farther ahead in the same
+    direction. The move before each gap is extended to bridge the gap. Cuts over a tag are part of the contour. Rows
+    that are lifted over an island also continue ahead, but are not joined, because they do not close. If the tool cuts
+    each part between two tags down to the full depth before the next part, the joined contour goes around once for each
+    depth.
 
     Parameters
     ----------
@@ -56,7 +57,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
         return strokes, 0.0
     of_contour = np.repeat(contour, last - first + 1)
     dx, dy, end = moves.dx.copy(), moves.dy.copy(), moves.end - 1
-    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # all other gaps are within rounding
+    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # gaps that are not ahead are only rounding errors
     dx[end[ahead]] += gap_x[ahead]
     dy[end[ahead]] += gap_y[ahead]
     begins = ~of_contour
@@ -68,7 +69,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 def _pass_by_pass(moves: Areas) -> Areas:
     """Return the areas in their order around the contour, if each stroke is cut to full depth before the next stroke.
 
-    Areas that are cut back and forth between the same ends are given one direction.
+    Parts that are cut back and forth at several depths are all turned into one direction.
     """
     count, first, last = len(moves.start), moves.start, moves.end - 1
     end_x, end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]

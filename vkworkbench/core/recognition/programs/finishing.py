@@ -15,7 +15,7 @@ from vkworkbench.core.toolpath import Toolpath
 
 
 class CutSection(NamedTuple):
-    """A section between two borders: its first trajectory, the first trajectory after it, and its recognition."""
+    """A part of a program between two borders: its first trajectory, the trajectory after it, and its strategy."""
 
     begin: int
     end: int
@@ -23,7 +23,7 @@ class CutSection(NamedTuple):
 
 
 class _Run(NamedTuple):
-    """Consecutive sections at one depth that all clear an area or are all contours, and their boxes, (2, 3) mm."""
+    """Consecutive sections at one depth that all clear areas, or are all contours, with their boxes, (2, 3) mm."""
 
     sections: list[CutSection]
     clears: bool
@@ -31,10 +31,10 @@ class _Run(NamedTuple):
 
 
 def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[int]) -> set[int]:
-    """Return the doubtful borders inside operations that clear an area and finish its walls with contours.
+    """Return the uncertain borders between the clearing of an area and the contours that finish the area's walls.
 
-    The contours go around the whole cleared area, at the same depth. Several contours finish the walls if there are
-    islands, for example.
+    The finishing contours go around the whole cleared area, at the same depth as the clearing. Several contours finish
+    the walls if there are islands, for example.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: C
     cut : sequence of CutSection
         The sections of the program.
     doubtful : collection of int
-        Borders that are not certain, so that they can lie inside an operation.
+        Trajectories before which another operation possibly, but not certainly, begins.
     """
     found: set[int] = set()
     runs = _runs(toolpath, cut, doubtful)
@@ -89,7 +89,7 @@ def _runs(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[in
 
 
 def _meet(one: CutSection, two: CutSection, doubtful: Collection[int]) -> bool:
-    """Return whether only a doubtful border separates the two sections."""
+    """Return whether the second section directly follows the first section, after an uncertain border."""
     return one.end == two.begin and two.begin in doubtful
 
 

@@ -28,7 +28,8 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
     Returns
     -------
     Recognition
-        The result for the toolpath at 25.4 times its size. All lengths are in the unit of the toolpath as it was read.
+        The result for the toolpath at 25.4 times its size. All lengths in the result are in the unit of the toolpath as
+        it was read.
     """
     found = recognize(replace(toolpath, points=INCH * toolpath.points), tool_diameter=tool_diameter, program=program)
     paper = found.paper and replace(found.paper, v=(found.paper.v[0] / INCH, found.paper.v[1] / INCH))
@@ -37,7 +38,7 @@ def recognize_inches(toolpath: Toolpath, *, tool_diameter: float | None = None, 
 
 
 def _as_read(value: Any) -> Any:
-    """Return a message with its steps in the unit of the toolpath as it was read."""
+    """Return a message in which the stepover is converted to the unit of the toolpath as it was read."""
     if isinstance(value, tuple):
         return tuple(map(_as_read, value))
     if not isinstance(value, Message):

@@ -22,7 +22,7 @@ from vkworkbench.language import Message
 
 
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
-    """Return the trajectories at which another operation can begin, and whether each of these borders is certain.
+    """Return the borders, before which another operation can begin, and whether each border is certain.
 
     Tool changes, and both ends of a run of drilled holes, are certain borders. A comment that is a title is an
     uncertain border. Other comments are ignored.
@@ -37,7 +37,8 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
         # Holes form one run if there is no milling between them.
         place = np.searchsorted(moves.index, holes)
         begin = np.flatnonzero(np.append(True, place[1:] != place[:-1]))
-        # Place the border at a rapid, because a steep lift after milling or tapping is part of the operation before.
+        # The next operation begins at a rapid and not at a lift, because a steep lift after milling or tapping is part
+        # of the operation before.
         milled = moves.index[place[begin[place[begin] > 0]] - 1]
         rapids = np.append(np.flatnonzero(toolpath.rapid), len(toolpath))
         parted = rapids[np.searchsorted(rapids, np.concatenate([milled, holes[begin[1:] - 1], holes[-1:]]))]
@@ -52,21 +53,24 @@ def is_titled(toolpath: Toolpath, first: int) -> bool:
 
 
 def without_lone_plunge(toolpath: Toolpath, moves: Areas) -> Areas:
-    """Return the areas without holes if milling has a single plunge, which parks the tool or touches the stock."""
+    """Return the areas without holes if milling has few plunges, which park the tool or touch the stock."""
     if not len(moves) or len(moves.holes) >= PARTS.HOLES:
         return moves
     return replace(moves, holes=moves.holes[toolpath.cycle[moves.holes]])
 
 
 def _sculptured(moves: Areas) -> bool:
-    """Return whether a surface is cut at many heights. Plunges on a surface are raster passes, clipped to a point."""
+    """Return whether a surface is cut at many heights.
+
+    Plunges on a surface are not holes, but passes of a raster that the boundary shortens to a point.
+    """
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
 
 
 def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
     """Return whether plunges at different places reach several depths of the milling.
 
-    Plunges at several depths of the milling are contours of a surface, clipped to a point.
+    Plunges at several depths of the milling are not holes, but contours of a surface that are as small as a point.
     """
     bottom = toolpath.points[moves.holes + 1]
     depth = number_depths(np.concatenate([bottom[:, 2], moves.z[moves.start]]))
@@ -78,7 +82,9 @@ def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
 
 
 class Sections:
-    """The sections of a toolpath between borders. Each section is recognised once and cached.
+    """The parts of a toolpath between borders, before which another operation can begin.
+
+    Each section is recognised once and cached.
 
     Parameters
     ----------
@@ -94,7 +100,10 @@ class Sections:
         self._known: dict[tuple[int, int], Recognition] = {}
 
     def between(self, borders: Iterable[int]) -> Iterator[CutSection]:
-        """Yield the sections between borders. Sections without cuts are left out."""
+        """Yield the sections between the given borders and between the ends of the toolpath.
+
+        Sections in which nothing is cut are left out.
+        """
         at = sorted({0, *borders, len(self.toolpath)})
         ends = zip(at, at[1:], np.searchsorted(self._cutting, at), np.searchsorted(self._cutting, at[1:]))
         for a, b, begin, end in ends:
@@ -144,10 +153,10 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
 
 
 def _odds_of_difference(one: Recognition, other: Recognition) -> float:
-    """Return the odds that two sections are different operations; 0 if one operation can have both strategies."""
+    """Return the odds that two sections are different operations; 0 if one operation can contain both strategies."""
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
-    # Adaptive clearing of a round pocket winds like a spiral.
+    # The two strategies can be one operation, because adaptive clearing of a round pocket winds like a spiral.
     if one.strategy is other.strategy or {one.strategy, other.strategy} == {Strategy.ADAPTIVE, Strategy.SPIRAL}:
         return 0.0
     return _odds(one.confidence * other.confidence)
@@ -158,7 +167,10 @@ def _odds(share: float) -> float:
 
 
 def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Recognition, program: bool) -> Recognition:
-    """Recognise the sections between borders. The result is mixed if sections are long enough and clearly differ."""
+    """Recognise the sections between the given borders (possible starts of operations).
+
+    The result is the strategy MIXED if sections are long enough and clearly differ.
+    """
     toolpath, cuts = sections.toolpath, list(sections.between(borders))
     found = [cut.found for cut in cuts]
     stretch = _stretches(borders, cuts)
@@ -167,8 +179,8 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
     differs = np.array([
         _differs(one, found[main], apart, program) for one, apart in zip(found, stretch != stretch[main])
     ])  # fmt: skip
-    # In an NC program, each stretch between certain borders is an operation. FreeCAD's titles within an operation are
-    # not borders.
+    # In an NC program, each stretch between two certain borders is an operation. In a single FreeCAD operation, titles
+    # do not begin another operation.
     operation = stretch if program else np.zeros_like(stretch)
     little = bool(share[differs].sum() < PARTS.ASIDE)
     if little and not (differs & (stretch != stretch[main]) & _is_enough(found, share, program)).any():
@@ -181,7 +193,8 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
         # A few other cuts with the same tool do not change the strategy of the program.
         pattern = whole if whole.strategy is found[main].strategy else found[main]
         others = [name for name in names if name is not pattern.strategy]
-        # There are no other strategies if the other cuts are contours that finish the rows of the pattern.
+        # Contours that finish the walls around the rows have the strategy of the rows, so that there is no other
+        # strategy to report.
         why = Message("with-others", told=pattern.why, strategies=others) if others else pattern.why
         return replace(pattern, why=why, spans=spans)
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
@@ -190,7 +203,7 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
 
 
 def _stretches(borders: Mapping[int, bool], cuts: list[CutSection]) -> np.ndarray:
-    """Return for each section the number of certain borders before it, (k,) int."""
+    """Return for each section the number of certain borders (starts of operations) before it, (k,) int."""
     certain = np.append(0, np.cumsum([is_certain for _, is_certain in sorted(borders.items())]))
     result: np.ndarray = certain[np.searchsorted(sorted(borders), [cut.begin for cut in cuts], side="right")]
     return result
@@ -204,13 +217,19 @@ def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
 
 
 def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:
-    """Return whether each section is long enough for an operation, (k,) bool. Drilled sections always are."""
+    """Return whether each section is long enough for an operation, (k,) bool.
+
+    Sections of drilled holes are always long enough.
+    """
     drilled = np.array([one.strategy is Strategy.DRILLING for one in found])
     return drilled | (share > PARTS.CERTAIN) if program else drilled
 
 
 def _one_span(one: Recognition) -> Recognition:
-    """Return an operation with one span. An operation of rows and a contour around them is recognised as rows."""
+    """Return a recognised operation with all its trajectories in one span.
+
+    An operation of rows and a contour around the rows has the strategy of the rows.
+    """
     if len(one.spans) < 2:
         return one
     share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
@@ -222,7 +241,7 @@ def _one_span(one: Recognition) -> Recognition:
 
 
 def _joined(found: list[Recognition], operation: np.ndarray) -> list[tuple[int, int, Strategy]]:
-    """Return the spans of consecutive sections as (first, last, strategy), joining equal neighbours of one operation.
+    """Return the stretches with one strategy as (first, last, strategy), equal neighbours in one operation joined.
 
     Parameters
     ----------
@@ -262,8 +281,8 @@ def _agree(
 def _short(one: Recognition, loops: int) -> bool:
     """Return whether a section has fewer than `loops` loops and too few passes to show a strategy.
 
-    One loop is enough for an operation beside rows. Two loops are needed to contradict the strategy recognised for the
-    whole program.
+    One loop is enough to show that a section beside rows is another operation. Two loops are needed to contradict the
+    strategy recognised for the whole program.
     """
     return one.closed_loops < loops and (one.passes or 0) < PARTS.PASSES
 
@@ -271,9 +290,9 @@ def _short(one: Recognition, loops: int) -> bool:
 def _differs(one: Recognition, main: Recognition, apart: bool, program: bool) -> bool:
     """Return whether a section is another operation than the main section.
 
-    After a certain border, a section with another strategy is another operation. A comment alone divides only
-    strategies of different families, because FreeCAD gives titles to the passes of one operation. For example, the
-    roughing of a pocket is contour-parallel, and its finishing pass is a profile.
+    After a certain border (e.g. a tool change), a section with another strategy is another operation. A comment alone
+    divides only strategies of different families, because FreeCAD gives titles to the passes of one operation. For
+    example, the roughing of a pocket is contour-parallel, and its finishing pass is a profile.
     """
     if Strategy.UNKNOWN in (one.strategy, main.strategy):
         return False

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the visits that begin another operation. A visit is the cutting between two retracts to the top height."""
+"""Find where another operation begins, among the retracts to the top height.
+
+A visit is all cutting between two retracts to the top height.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,10 @@ FILE = Path(__file__).with_name("borders.npz")
 
 @lru_cache(maxsize=1)
 def shipped_trees() -> Trees:
-    """Return the trees that vote whether a retract is a border (class 1). The file is read when first needed."""
+    """Return the decision trees that vote whether another operation begins at a retract (class 1).
+
+    The file is read when first needed.
+    """
     with np.load(FILE, allow_pickle=False) as arrays:
         return read_trees(arrays, "borders")
 
@@ -33,7 +39,7 @@ class Visits:
     first, last : (k,) int
         First and last cutting trajectory.
     blocks : (k,) int
-        Number of blocks. A block is a monotonous area or a drilled hole.
+        Number of blocks. A block of a visit is a monotonous area or a drilled hole.
     low, high : (k, 2) float
         Bounding box in the plane, mm.
     bottom, top, begin : (k,) float
@@ -43,12 +49,13 @@ class Visits:
     feed, fastest : (k,) float
         Mean feed weighted by length, and highest feed, mm/s.
     turn : (k,) float
-        Mean net turn of a block, turns.
+        Mean of the blocks' absolute net turns, in full turns.
     chord, closed : (k,) float
-        Sum of the distances from start to end of the blocks, and length of the closed blocks, both divided by the
-        length.
+        Sum of the distances between the two ends of each block, and total length of the closed blocks, both divided by
+        the visit's cutting length.
     axis : (k,) complex
-        Sum of the moves with doubled angles, divided by the length. The magnitude is 1 if all moves have one axis.
+        Sum of the moves as complex numbers with doubled angles, divided by the visit's cutting length. The magnitude is
+        1 if all moves have one axis.
     """
 
     first: np.ndarray
@@ -84,7 +91,8 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     if len(moves.start) + len(moves.holes) < 2:
         return None
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    # A block is an area or a drilled hole. A hole is treated as one move without length at the bottom of the hole.
+    # A visit consists of blocks; a block is a monotonous area or a drilled hole. A hole is treated as one move without
+    # length at the bottom of the hole.
     hole, none = toolpath.points[moves.holes + 1], np.zeros(len(moves.holes))
     index, begins = np.concatenate([moves.index, moves.holes]), np.ones(len(moves) + len(none), bool)
     begins[: len(moves)] = False
@@ -101,7 +109,7 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     )  # fmt: skip
     end_x, end_y, fed, weight = x[last] + dx[last], y[last] + dy[last], toolpath.feed[index], np.maximum(length, 1e-9)
     first, end = index[start], index[last]
-    # The highest point between the end of each block and the start of the next block.
+    # Find the tool's highest point between the end of each block and the start of the next block.
     height = toolpath.points[:, 2]
     between = np.column_stack([end[:-1] + 1, np.maximum(first[1:], end[:-1] + 1) + 1]).ravel()
     reached = np.maximum.reduceat(np.append(height, -np.inf), between)[::2]
@@ -134,7 +142,10 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
 
 
 def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
-    """Compare every visit with the next visit. Return the dimensionless measures of these pairs, (k-1,) each."""
+    """Compare every visit (the cutting between two retracts) with the next visit.
+
+    Return the dimensionless measures of each pair of consecutive visits, (k-1,) each.
+    """
     a, b = slice(None, -1), slice(1, None)
 
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
@@ -144,7 +155,7 @@ def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
         return result
 
     def ratio(values: np.ndarray, least: float) -> np.ndarray:
-        """Return the logarithm of the ratio of the larger to the smaller value."""
+        """Return the absolute logarithm of the ratio of two values."""
         return np.minimum(np.abs(np.log((values[a] + least) / (values[b] + least))), 6.0)
 
     def same(values: np.ndarray) -> np.ndarray:
@@ -184,8 +195,8 @@ def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
         "visits": np.full(len(visits) - 1, np.log(len(visits))),
     }  # fmt: skip
     measures["again"], measures["again_above"] = _cut_again(visits)
-    # Average the measures of the pairs of visits before and after each pair. The averages show whether the visits form
-    # a regular series.
+    # Average each measure over the previous and the next pair of visits. The averages show whether a pair of visits
+    # belongs to a regular series of visits, as within one operation.
     for name in ("same_ground", "overlap", "same_top", "same_bottom", "same_feed"):
         values = measures[name]
         if len(values) > 1:
@@ -214,10 +225,10 @@ def _shared_ground(visits: Visits, back: int) -> np.ndarray:
 
 
 def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
-    """Return the share of each visit's ground that one of the previous visits covers, two arrays (k-1,).
+    """Return the share of each visit's bounding box that one of the previous visits covers, two arrays (k-1,).
 
     The first array compares each visit with previous visits at the same depth or deeper, the second array only with
-    deeper visits. An operation rarely cuts the same ground again.
+    deeper visits. Within an operation, the same ground is rarely cut twice at the same height.
     """
     again = np.zeros((2, len(visits) - 1))
     ground = _ground(visits)
@@ -232,11 +243,11 @@ def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
 def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
     """Return the trajectories at which another operation can begin, with probabilities computed from the motion alone.
 
-    Programs do not mark their operations, and there are also retracts within an operation. A retract to the top height
-    is a border only if feed, ground, depths or pattern change as between operations. A model learned from programs
-    estimates the probability (benchmarks/learn_borders.py). A visit that lies alone between two borders is divided
-    further, at retracts to its own top height, because retracts for a tool change are higher than retracts within an
-    operation.
+    Programs do not mark their operations, and there are also retracts within an operation. At a retract to the top
+    height, another operation begins only if feed, ground, depths or pattern change as between operations. A model
+    learned from programs estimates the probability (benchmarks/learn_borders.py). If another operation begins both
+    before and after a visit, the visit is searched again, at retracts to its own top height, because retracts for a
+    tool change are higher than retracts within an operation.
     """
     found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
     for _ in range(VISITS.NESTED):
@@ -247,13 +258,13 @@ def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
 
 
 def _retracts_to_top(toolpath: Toolpath, moves: Areas, least: float) -> tuple[dict[int, float], list[tuple[int, int]]]:
-    """Return {trajectory: probability} for retracts to the top height, and the visits that can be divided further."""
+    """Return {trajectory: probability} for retracts to the top height, and the visits that must be searched again."""
     visits = find_visits(toolpath, moves)
     if visits is None:
         return {}, []
     share = shipped_trees().shares(np.column_stack(list(compare_visits(visits).values())))[:, 1]
     at = np.flatnonzero(share > least)
-    # A border is at the highest point between two visits, before the descent to the next visit.
+    # Another operation begins at the highest point between two visits, before the descent to the second visit.
     z = toolpath.points[:, 2]
     gaps = zip(visits.last[at] + 1, visits.first[at + 1] + 1)
     found = {int(a + np.argmax(z[a:b])): float(s) for (a, b), s in zip(gaps, share[at])}

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the strategy of one section by rules, measures, learned trees and a decision."""
+"""Find the strategy of one operation by rules, dimensionless measures and learned decision trees."""

@@ -29,7 +29,7 @@ class Sample(NamedTuple):
     dx, dy, length : array
         Components and lengths of the moves, mm.
     double_x, double_y, four_x, four_y : array
-        Components of moves of the same length at twice and at four times the angle, mm.
+        Components of a move with the same length, but with twice or four times the angle to the x axis, mm.
     """
 
     chosen: np.ndarray
@@ -91,9 +91,9 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
     Returns
     -------
     dict
-        "crossings" is the logarithm of the number of crossings per line. All other names are NAMES with the prefixes
-        "level_" and "plan_". The value of a name is -1 if there are no crossings from which to compute it. A pair is
-        two passes side by side at the usual distance. A triple is two pairs with a common pass.
+        "crossings" is the logarithm of the number of crossings per line. All other names consist of the prefix "level_"
+        or "plan_" and one of NAMES. A measure is -1 if there are no crossings from which to compute it. A pair is two
+        passes side by side at the usual distance. A triple is two pairs with a common pass.
 
         * step: logarithm of the usual distance divided by the extent
         * even: share of the passes side by side that are pairs
@@ -124,7 +124,7 @@ def _across(sample: Sample) -> tuple[float, float]:
     """Return a unit vector that is perpendicular to the preferred direction of the moves.
 
     The mean of four times the angles gives two candidates for the preferred direction, a quarter turn apart. The
-    candidate with less length across it is the preferred direction.
+    preferred direction is the candidate to which the moves are more parallel, weighted by length.
     """
     angle = float(directions(sample.four_x.sum(), sample.four_y.sum())) / 4
     u, v = np.cos(angle), np.sin(angle)
@@ -155,7 +155,8 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
     for line in lines[:wanted]:
         on = np.flatnonzero((begin < line) != (end < line))
         spare = max(0, len(on) - SCAN.ENOUGH // 2)
-        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])  # keep the middle of the cutting order
+        # Keep the crossings in the middle of the cutting order.
+        found.append(on[spare // 2 : len(on) - (spare + 1) // 2])
     on, line = np.concatenate(found), np.repeat(np.arange(wanted), [len(moves) for moves in found])
     step, length = end[on] - begin[on], moves.length[on]
     steep = np.abs(step) > SCAN.GRAZING * length
@@ -192,7 +193,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     told["other"] = 1 - passes / max(1, int(np.count_nonzero(apart)))
     if not passes:
         return told
-    # The usual distance is the median around the most frequent bin of logarithms.
+    # The usual distance is the median of the distances in the most frequent class and in the two classes beside it.
     logarithm = np.log(aside[beside])
     bins = np.rint(logarithm / SCAN.BIN).astype(np.int64)
     bins -= bins.min()
@@ -201,7 +202,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
     usual = float(np.exp(median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = np.count_nonzero(even)  # never 0, because the median lies in these bins
+    number = np.count_nonzero(even)  # never 0, because the median is close to some distances
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]

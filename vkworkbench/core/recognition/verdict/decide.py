@@ -17,17 +17,17 @@ from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.language import Message
 
 STRATEGIES = tuple(s for s in Strategy if s is not Strategy.EMPTY)
-# Strategies that only the rules can propose, and that the votes of the trees never elect.
+# Strategies that only the rules can propose, and for which the votes of the decision trees are ignored.
 OF_THE_RULES = np.array([s in (Strategy.MIXED, Strategy.DRILLING, Strategy.UNKNOWN) for s in STRATEGIES])
-# The class of each strategy is its family of strategies; only adaptive clearing is a class of its own.
+# Strategies of one family are one class in the vote; only adaptive clearing is a class of its own.
 CLASSES = [-1 if s is Strategy.ADAPTIVE else list(Family).index(s.family) for s in STRATEGIES]
 ALIKE = np.equal.outer(CLASSES, CLASSES)
-#: Number for the strategy by the paper's literal rule; a strategy that is not in this table gets the number 0.
+#: Feature value for the strategy by the paper's literal rule: 0 for all strategies that are not in this table.
 LETTERS = {Strategy.ZIGZAG: -1, Strategy.CONTOUR_PARALLEL: 1}
 
 
 def features(values: dict[str, float], rules: Strategy, paper: Strategy | None, *, tool: bool) -> dict[str, float]:
-    """Return the features that the trees read, by name.
+    """Return the values that the decision trees read, by name.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def features(values: dict[str, float], rules: Strategy, paper: Strategy | None, 
     rules : Strategy
         Strategy that the rules propose.
     paper : Strategy or None
-        The paper's literal verdict.
+        Strategy by the paper's literal rule, before all corrections.
     tool : bool
         Whether the tool's diameter is known, which matters because many rules measure in tool diameters.
     """
@@ -53,13 +53,13 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     rules : Verdict
         Verdict of the rules on the section.
     paper : PaperVerdict or None
-        The paper's literal verdict.
+        Result of the paper's literal rule, without corrections.
 
     Returns
     -------
     Verdict
-        The verdict of the rules, unless the votes elect another strategy. The strategy is UNKNOWN if the section is
-        nonsense, which means that no operation that machines a part looks like the section.
+        The verdict of the rules, unless the votes elect another strategy. The strategy is UNKNOWN if the trees vote
+        that the toolpath is nonsense, i.e. does not look like any operation that machines a part.
     float
         Probability that the returned strategy is right, 0..1.
     """
@@ -75,10 +75,11 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
 
 
 def elect(nonsense: float, votes: np.ndarray, rules: int) -> tuple[int, float]:
-    """Return the strategy with most votes in the class with most votes, as an index of STRATEGIES, and its probability.
+    """Return the strategy with most votes, as an index of STRATEGIES, and the probability that it is right.
 
-    The probability is the strategy's share of the votes for strategies, times the share of the votes against nonsense.
-    If the votes for nonsense exceed VOTES.NONSENSE, return UNKNOWN and their share.
+    The strategy is elected from the class (strategies of one family) with most votes. Its probability is its share of
+    the votes for strategies, times the share of the votes against nonsense. If the share of the votes for nonsense
+    exceeds VOTES.NONSENSE, return UNKNOWN and this share.
 
     Parameters
     ----------

@@ -19,7 +19,10 @@ from vkworkbench.language import ENGLISH, Message
 
 @dataclass(frozen=True)
 class Evidence:
-    """The numbers that support the strategy of a section. Recognition documents the fields."""
+    """The numbers that support the strategy of a section.
+
+    `Recognition` documents the attributes, which have the same names there.
+    """
 
     level: int
     phi_range: tuple[float, float]
@@ -50,7 +53,8 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
                 # outwards, the uncut material outside the loops is to the right.
                 milling = "climb" if (rings.growing > 0.5) == (sense == "ccw") else "conventional"
     elif main:
-        # In a grid, consecutive rows need not be neighbours, so that the period is the stepover.
+        # In a grid, rows cut one after the other need not be neighbours, so that the stepover is the distance at which
+        # the rows repeat.
         passes, stepover = sum(f.count for f in rows), main.step
         longest = max(section.families, key=lambda f: f.length)
         if len(rows) > 1 or sum(f.length for f in section.families) > (1 + MAJORITY.SHARE) * longest.length:
@@ -72,9 +76,9 @@ def gather_evidence(section: Section, verdict: Verdict) -> Evidence:
 
 
 def _heights(section: Section, strategy: Strategy) -> np.ndarray:
-    """Return the heights of nearly level pieces, (k,) mm, without ramps and without the leads of a helix.
+    """Return the heights of nearly horizontal loops, zigzags and strokes, without ramps and helical leads, (k,) mm.
 
-    A zigzag that ramps to several depths without a lift is one piece with several heights.
+    A zigzag that ramps to several depths without a lift is one piece and has several heights.
     """
     pieces, moves = section.pieces, section.moves
     counts = pieces.length > NEGLIGIBLE.PIECE * pieces.length.max()
@@ -83,7 +87,7 @@ def _heights(section: Section, strategy: Strategy) -> np.ndarray:
     flat: np.ndarray = pieces.z[counts & pieces.flat]
     if pieces.flat.all():
         return flat
-    # For pieces with ramps or tags, use the heights of their level moves.
+    # If a piece has ramps or is lifted over tags, use the heights of its horizontal moves.
     level = np.flatnonzero(
         np.repeat(counts & ~pieces.flat, pieces.end - pieces.start) & (np.abs(moves.dz) < ROUNDING.HEIGHT)
     )
@@ -97,7 +101,7 @@ def _heights(section: Section, strategy: Strategy) -> np.ndarray:
     if not len(begin):
         return flat
     share = np.add.reduceat(moves.length[level], begin) / pieces.length[of[begin]]
-    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # ignore short plateaus
+    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # ignore heights with little of the piece's length
     lies = (share > 0) & (np.bincount(of[begin], share, len(pieces))[of[begin]] > ENTRY.LEVEL)
     return np.concatenate([flat, moves.z[level[begin[lies]]]])
 

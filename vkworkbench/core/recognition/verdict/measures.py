@@ -11,7 +11,8 @@ from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.thresholds import MEASURED, ROUNDING, WINDINGS
 from vkworkbench.core.recognition.verdict.crossings import Sample, measure_crossings
 
-FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "opposite", "crossing")  # fields of Rings
+#: Names of attributes of `Rings`.
+FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "opposite", "crossing")
 
 
 def measure_section(section: Section) -> dict[str, float]:
@@ -44,7 +45,8 @@ def _measure_areas(section: Section, extent: float) -> dict[str, float]:
     last = moves.end - 1
     net = moves.phi[last] - moves.phi[moves.start]
     turned = max(float(np.abs(moves.turning).sum()), ROUNDING.HEIGHT)
-    # For each area: the range of phi, the net turn, and |V_k| of the last trajectory divided by the length.
+    # Compute for each area the range of phi, the net turn, and the distance between the area's ends (|V_k| of its last
+    # trajectory) divided by the area's length.
     share, number = moves.area_length / moves.area_length.sum(), len(moves.start)
     ranges = moves.phi_extent / TURN
     turns = np.abs(net) / TURN
@@ -93,8 +95,9 @@ def _measure_moves(moves: Areas, sample: Sample) -> dict[str, float]:
 def _measure_turns(moves: Areas) -> dict[str, float]:
     """Measure the arcs of the Gauss map, for moves from the middle of the cutting order.
 
-    A run of turns in one sense is an arc of the Gauss map. The arc between alternating rows is a half turn, and the arc
-    of a contour is a whole turn. In random walks and noise, all turns and both senses are equally likely.
+    The Gauss map shows the directions of the moves as points on the unit circle. Consecutive turns in one
+    sense form an arc of the Gauss map. The arc between alternating rows is a half turn, and the arc of a contour is a
+    whole turn. In random walks and noise, all turns and both senses are equally likely.
     """
     spare = max(0, len(moves) - MEASURED.TURNS)
     middle = slice(spare // 2, len(moves) - (spare + 1) // 2)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Read and evaluate the learned model: decision trees that vote on nonsense toolpaths, and on strategies.
 
-benchmarks/learn_model.py learns the trees from benchmarks/labelled_operations.csv and writes model.npz. The file is
-read once, at the first recognition.
+benchmarks/learn_model.py learns the trees from benchmarks/labelled_operations.csv and writes model.npz. The file
+model.npz is read once, at the first recognition.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Trees:
     roots: np.ndarray
 
     def shares(self, cases: np.ndarray) -> np.ndarray:
-        """Return the shares of the votes, (k, c), for k cases, (k, m)."""
+        """Return each class's share of the votes for k cases with m features each, (k, c)."""
         case = np.arange(len(cases))[:, None]
         node = np.broadcast_to(self.roots, (len(cases), len(self.roots)))
         while (asked := self.feature[node]).max() >= 0:
@@ -65,7 +65,7 @@ class Model:
     nonsense : Trees
         Trees that vote whether a toolpath machines a part (class 0) or is nonsense (class 1).
     strategies : Trees
-        Trees that vote for the classes decide.STRATEGIES.
+        Trees that vote for a strategy; the classes are `decide.STRATEGIES`.
     calibration : (2,) float
         Offset and slope of the line that calibrates the confidence. The line maps the log odds of the share of the
         votes to the log odds that the elected strategy is right.
@@ -95,7 +95,7 @@ def log_odds(share: np.ndarray | float) -> np.ndarray:
 
 
 def read_trees(arrays: Mapping[str, np.ndarray], name: str) -> Trees:
-    """Return the trees whose columns are arrays with the prefix `name`."""
+    """Return the trees from the arrays whose names begin with the prefix `name`."""
     return Trees(*(arrays[f"{name}_{field.name}"] for field in fields(Trees)))
 
 

@@ -26,7 +26,7 @@ FINISHED = {Family.ROWS: Message("finished-by-contour"), Family.AROUND: Message(
 
 
 def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool: float) -> Recognition:
-    """Recognise the trajectories first .. last as one operation. `tool` is the diameter, mm; 0 if unknown."""
+    """Recognise the trajectories `first` to `last` as one operation. `tool` is the diameter, mm; 0 if unknown."""
     if not len(moves):
         holes = len(moves.holes)
         strategy = Strategy.DRILLING
@@ -56,15 +56,16 @@ def recognize_one(toolpath: Toolpath, moves: Areas, first: int, last: int, tool:
 
 
 def _with_layers(why: Message, entry: str | None, finishing: Message | None) -> Message:
-    """Return a reason with the entry (unless the tool plunges) and the finishing pass added."""
+    """Return the reason for the strategy, with the kind of entry (except plunges) and the finishing pass added."""
     way = ENTERED.get(entry or "")
     return Message("with-layers", told=why, entry=way, finishing=finishing) if way or finishing else why
 
 
 def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tuple[int, int, Strategy]]:
-    """Divide the trajectories first .. last of a mixed operation into stretches of loops and stretches of rows.
+    """Divide the trajectories `first` to `last` of a mixed operation into stretches of loops and stretches of rows.
 
-    A link belongs to the stretch before the link. A lead-in belongs to the stretch after the lead-in.
+    A link between loops or rows belongs to the stretch before the link. A lead-in belongs to the stretch after the
+    lead-in.
     """
     of_rings, of_rows = verdict.parts
     is_ring = section.ring_pieces.copy()
@@ -81,13 +82,13 @@ def _runs(section: Section, verdict: Verdict, first: int, last: int) -> list[tup
 
 
 def cutting_length(toolpath: Toolpath, first: int, last: int) -> float:
-    """Return the cutting length of the trajectories first .. last, mm."""
+    """Return the cutting length of the trajectories `first` to `last`, mm."""
     steps = np.diff(toolpath.points[first : last + 2], axis=0)[~toolpath.rapid[first : last + 1]]
     return float(np.sqrt((steps * steps).sum(axis=1)).sum())
 
 
 def spans_of(toolpath: Toolpath, runs: list[tuple[int, int, Strategy]]) -> tuple[Span, ...]:
-    """Return runs (first, last, strategy) as spans with shares of the cutting length."""
+    """Return stretches (first, last, strategy) as spans with their shares of the cutting length."""
     length = [cutting_length(toolpath, first, last) for first, last, _ in runs] if len(runs) > 1 else [1.0]
     total = sum(length) or 1.0
     command = toolpath.command

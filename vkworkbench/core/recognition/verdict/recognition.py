@@ -43,16 +43,17 @@ class Recognition:
     confidence : float
         Probability that the recognised strategy is right, 0..1.
     why : Message
-        Reason in the paper's terms, with numbers.
+        Reason for the strategy in the paper's terms (levels, phi, half turns), with numbers.
     spans : tuple of Span
         Stretches in the order of cutting. There are several spans if the strategy is mixed, or if a few cuts follow
-        another strategy than the pattern. Neighbouring spans with the same strategy are two operations of an NC
-        program.
+        another strategy than most of the operation. Neighbouring spans with the same strategy are two operations of an
+        NC program.
     level : int
-        Level n in the paper: number of full turns of phi in one area, with sign, truncated toward zero.
+        Level n in the paper: number of full turns that the tool turns in one area (phi / 2 pi), with sign, truncated
+        toward zero.
     phi_range : tuple of float
-        Lowest and highest phi in any area, rad. phi is 0 at the first trajectory of each area, and includes the closing
-        turns of loops.
+        Lowest and highest sum of the turns (phi) in any area, rad. phi is 0 at the first trajectory of each area, and
+        includes the turn from the last to the first side of a closed loop.
     reversals : int
         Number of exact reversals: turns of +-pi, which have no sign.
     sense : str or None
@@ -75,7 +76,7 @@ class Recognition:
     finishing : bool
         Whether a contour around the rows, or after adaptive clearing, finishes the walls.
     paper : PaperVerdict or None
-        Verdict of the paper's literal rule, with V_k and its Gauss image; None if no move has a direction.
+        Strategy by the paper's literal rule, with V_k and its Gauss image; None if no move has a direction.
     """
 
     strategy: Strategy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Propose the strategy of a section by rules about its pieces."""
+"""Propose the strategy of an operation by rules about its loops, rows and strokes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Verdict:
     count : int
         Number of rows, rings or strokes that show the strategy.
     seen : Message
-        The reason.
+        Reason for the strategy.
     parts : tuple of Verdict
         For a mixed section: the verdicts on its rings and on its rows.
     step : float or None
@@ -73,7 +73,11 @@ def judge_section(section: Section) -> Verdict:
 
 
 def _share_of_rows(section: Section, open_share: float) -> float:
-    """Return the share of the length in rows. If most open pieces are rows, the other open pieces are links of rows."""
+    """Return the share of the section's length in rows.
+
+    If rows are most of the length outside rings, everything outside rings counts as rows, because the rest is links
+    between the rows.
+    """
     rows = max(section.zigzag, sum(family.length for family in section.rows) / section.length)
     return open_share if rows > MAJORITY.SHARE * open_share else rows
 
@@ -81,7 +85,8 @@ def _share_of_rows(section: Section, open_share: float) -> float:
 def _judge_bites(section: Section, rows: float, arcs: Verdict | None) -> Verdict | None:
     """Return adaptive clearing if enough strokes overlap, as the bites of a cutter with limited engagement do.
 
-    Circles that the boundary cuts open also overlap, but have a common centre. Concentric arcs are not bites.
+    Circles that the boundary cuts open also overlap, but have a common centre. Concentric arcs therefore are not
+    adaptive clearing.
     """
     strokes = section.strokes
     bites, against = section.part(strokes.bite), section.part(strokes.against)
@@ -102,7 +107,7 @@ def _judge_hunting(section: Section, rings: float) -> Verdict | None:
 
 
 def _rings_prevail(section: Section, rings: float, rows: float) -> bool:
-    """Return whether the rings decide: nearly all length is nested offsets, or there are hardly any rows."""
+    """Return whether the rings decide the strategy: nearly all of them are offsets, or there are hardly any rows."""
     offsets = rings > RINGS.OFFSETS and section.share(section.rings.nested) > RINGS.OFFSETS * rings
     return offsets or (rings > RINGS.ALONE and (rows < RINGS.ROWS_BESIDE or not section.rows))
 
@@ -134,7 +139,8 @@ def _judge_rings(section: Section, rings: float) -> Verdict:
         return Verdict(Strategy.MIXED, 2, Message("pass-inside"))
     if section.letters():
         return Verdict(Strategy.ENGRAVING, count, Message("many-shapes"))
-    # Loops repeated at other depths are contours. Separate loops, which are not nested, are contours as well.
+    # Loops that are repeated at other depths are contours of a profile. Loops that are neither nested nor repeated are
+    # also contours of a profile.
     return Verdict(Strategy.PROFILE, count, _seen_of_contours(section, rings))
 
 
@@ -153,12 +159,12 @@ def _share_of_helix(section: Section) -> float:
 
 
 def _judge_helix(section: Section, rings: float) -> Verdict | None:
-    """Return a helix, or the clearing that a helix enters; None if other contours descend in the same way."""
+    """Return a helix, or the strategy of the clearing after a helical entry; None if the rings are not a helix."""
     found, count = section.rings, len(section.rings)
     all_round = section.share(found.round) > RINGS.ALL_ROUND * rings
     if _share_of_helix(section) <= MAJORITY.SHARE * rings or not all_round:
         return None
-    # Nested level turns clear a pocket, even if the helix that enters the pocket is longer.
+    # Nested horizontal turns clear a pocket, even if the helix that enters the pocket is longer.
     clears = found.nested & found.winding & ~found.sloped & ~found.stacked
     if (clears[1:] & clears[:-1]).sum() < 2:
         climbs = section.pieces.drop[found.index].sum() > 0
@@ -181,7 +187,7 @@ def _judge_changing_rings(section: Section, rings: float) -> Verdict | None:
 
 
 def _judge_nested_rings(section: Section, rings: float) -> Verdict:
-    """Return offsets, or for one endless winding a spiral or adaptive clearing."""
+    """Return the strategy of nested rings: offsets, or, for one continuous winding, a spiral or adaptive clearing."""
     count, strokes = len(section.rings), section.strokes
     offsets = Verdict(Strategy.CONTOUR_PARALLEL, count, Message("nested"))
     winding = section.share(section.rings.winding)
@@ -198,7 +204,10 @@ def _judge_nested_rings(section: Section, rings: float) -> Verdict:
 
 
 def _is_even_spiral(section: Section, rings: float) -> bool:
-    """Return whether nearly all rings are circles with equal steps. Adaptive clearing has unequal steps."""
+    """Return whether nearly all rings are circles at equal distances, as in a spiral.
+
+    The turns of adaptive clearing have unequal distances.
+    """
     return section.rings.equidistant and section.share(section.rings.round) > RINGS.ALL_ROUND * rings
 
 
@@ -240,7 +249,7 @@ def _judge_strokes(section: Section) -> Verdict:
 
 
 def _judge_neighbours(section: Section) -> Verdict | None:
-    """Return offsets, rows or adaptive clearing for open strokes side by side; None if too few strokes are."""
+    """Return offsets, rows or adaptive clearing for open strokes side by side; None if there are too few."""
     beside = find_neighbours(section.moves, section.pieces, section.strokes.index, section.tool)
     if not beside or beside.count < MAJORITY.REPETITIONS or beside.share <= NEIGHBOURS.SHARE:
         return None
