@@ -25,7 +25,7 @@ from importlib import import_module
 __version__ = "0.1.0"
 __all__ = ["Cancelled", "Report", "analyze", "clear", "mark", "set_clamps", "set_previous_job", "simulate"]
 
-# Versions of numpy before 1.20 warn when NaN is compared. The comparisons in this package are intended.
+# Versions of numpy before 1.20 warn when NaN is compared, but this package compares NaN intentionally.
 warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)", RuntimeWarning, r"vkworkbench\.")
 
 _HOMES = {
@@ -117,7 +117,7 @@ def simulate(what=None, **options):
     Raises
     ------
     Unusable
-        If there is nothing to simulate. The message gives advice.
+        If there is nothing to simulate. The exception's message says what to do.
     OverBudget
         If the simulation would exceed the memory limit. Nothing was simulated, and the message names an image that
         fits.

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The names of FreeCAD's properties, commands and docks in each version. No other module contains these names.
+"""The names of FreeCAD's properties, commands and docks in each version.
+
+All other modules read the names from this module.
 
 A document contains the property names of the FreeCAD version that saved it. Therefore a property is read under the
 newest of its names that the object has, in every FreeCAD version. This module does not load numpy, because it is loaded
@@ -147,7 +149,7 @@ PATH = Property("Path", fingerprint="path")
 PLACEMENT = Property("Placement", fingerprint="path")
 BASE = Property("Base")
 COPIES = Property("Copies")
-CLEARANCE_HEIGHT = Property("ClearanceHeight")  # exists in all operations of FreeCAD that machine a shape
+CLEARANCE_HEIGHT = Property("ClearanceHeight")  # a property of all FreeCAD operations that machine a shape
 ACTIVE = Property("Active", fingerprint="setting")
 CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
@@ -209,8 +211,9 @@ def names_in_fingerprint(part: str) -> frozenset[str]:
 def is_imported(obj) -> bool:
     """Return whether an object's toolpath possibly comes from a file.
 
-    Such an object is a custom operation, or has no proxy. But an operation or a dress-up that another FreeCAD version
-    saved can have no proxy either; its properties show that its toolpath does not come from a file.
+    An object whose toolpath comes from a file is a custom operation, or has no proxy. But an operation or a dress-up
+    that another FreeCAD version saved can have no proxy either; its properties show that its toolpath does not come
+    from a file.
     """
     if GCODE.is_in(obj):
         return True
@@ -220,8 +223,8 @@ def is_imported(obj) -> bool:
 def operation_name(obj) -> str:
     """Return FreeCAD's name for the type of an operation, e.g. ``"Profile"``, from the module of the operation's proxy.
 
-    If another FreeCAD version saved the document, the proxy may be missing. The returned text is then not the name of
-    an operation.
+    If another FreeCAD version saved the document, the proxy may be missing. Without a proxy, the returned text is not
+    the name of an operation.
     """
     name = type(getattr(obj, "Proxy", None)).__module__.rpartition(".")[2]
     return name[len("Path") :] if name.startswith("Path") else name

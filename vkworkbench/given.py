@@ -71,7 +71,7 @@ def of_kind(name: str, given: Any, kinds: Any, takes: str) -> None:
 def check_file_name(path: Any) -> None:
     """Check that `path` is the name of a file, not the number of an open file, which `open` would accept.
 
-    Other types raise the TypeError of `of_kind`.
+    A value of another type raises the TypeError of `of_kind`.
     """
     of_kind("path", path, (str, bytes, PathLike), "the name of a file")
 

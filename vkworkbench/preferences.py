@@ -190,7 +190,10 @@ class Preferences:
                        self.tool_change, self.spindle_start)  # fmt: skip
 
     def with_machine(self, name: str, machine) -> Preferences:
-        """Return the preferences with the values of a machine. The time factor is not changed."""
+        """Return the preferences with the speeds, accelerations and other values of a machine.
+
+        The time factor is not changed.
+        """
         rates, accelerations = machine.rates, machine.accelerations
         return replace(
             self, machine=name, rate_x=60 * rates[0], rate_y=60 * rates[1], rate_z=60 * rates[2],

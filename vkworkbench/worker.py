@@ -110,7 +110,7 @@ class Worker:
         self.kill()
         self._process.wait()
         for pipe in (self._process.stdin, self._process.stdout):
-            # Closing also writes the buffered message, to a process that has ended.
+            # Closing writes a buffered message, which fails if the process has ended.
             with suppress(OSError), _broken_pipes_are_errors():
                 pipe.close()  # type: ignore[union-attr] # both are pipes
 
@@ -170,7 +170,8 @@ def _limit_memory(most: float | None) -> None:
 
         # OpenBLAS allocates up to 128 MB at its first matrix product, and tries forever if the limit does not allow it.
         np.ones((_OF_BLAS, _OF_BLAS)) @ np.ones((_OF_BLAS, _OF_BLAS))
-        pages = int(Path("/proc/self/statm").read_text().split()[5])  # data and stack, without reserved addresses
+        # Memory pages of data and stack, without addresses that are only reserved.
+        pages = int(Path("/proc/self/statm").read_text().split()[5])
         limit = pages * resource.getpagesize() + int(most)
         with suppress(ValueError, OSError):  # the user has set a lower limit
             resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
@@ -206,7 +207,10 @@ def processes() -> int:
 
 @contextmanager
 def _broken_pipes_are_errors() -> Iterator[None]:
-    """Block SIGPIPE, the signal for writing to a dead process, which would end FreeCAD 1.0; Python alone ignores it."""
+    """Block SIGPIPE, the signal for writing to a dead process, which would end FreeCAD 1.0.
+
+    Python alone ignores SIGPIPE.
+    """
     if not hasattr(signal, "pthread_sigmask"):  # Windows has no SIGPIPE
         yield
         return

@@ -102,9 +102,8 @@ def trajectory_seconds(
 def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> np.ndarray:
     """Return the time of the dwells before each trajectory, (n,) float64 s.
 
-    A dwell in a drilling cycle follows the hole.
-
-    A dwell at the end of the toolpath is added to the dwells of the last trajectory.
+    A dwell in a drilling cycle follows the hole. A dwell at the end of the toolpath is added to the dwells of the last
+    trajectory.
     """
     if not len(toolpath):
         return np.zeros(0)

@@ -72,7 +72,10 @@ class Reader:
         return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"
 
     def number(self, value: float, digits: int = 6) -> str:
-        """Return a number as text with the given number of significant digits. Large numbers become integers."""
+        """Return a number as text with the given number of significant digits.
+
+        Large numbers are rounded to integers.
+        """
         text = f"{value:.{digits}g}"
         if "e+" in text:
             text = f"{value:.0f}"

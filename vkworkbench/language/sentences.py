@@ -19,8 +19,8 @@ arguments. A placeholder without a quantity is for a text or for another message
 
 The number of significant digits can follow ``g``, ``mm``, ``mm³`` and ``mm/min``, e.g. ``mm3``.
 
-Durations and memory sizes have few digits. If two different values in one sentence would look equal, both get more
-digits, so that no sentence says "about 2.0 GB, which is over your 2.0 GB limit".
+Durations and memory sizes are shown with few digits. If two different values in one sentence would look equal, both get
+more digits, so that no sentence says "about 2.0 GB, which is over your 2.0 GB limit".
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ def _text(value: Argument, quantity: str | None, digits: int, reader: Reader, pl
 
 
 class Unusable(ValueError):
-    """An input cannot be used. The message contains the reason.
+    """An input cannot be used. The exception's message contains the reason.
 
     Attributes
     ----------

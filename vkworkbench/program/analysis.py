@@ -141,7 +141,7 @@ class _Whole:
     inches : bool
         Whether the program is in inches but its numbers were read as millimetres.
     remarks : tuple of Message
-        Remarks that every operation gets.
+        Remarks that are added to every operation.
     undivided : bool
         Whether no title and no tool change divides the program. An undivided program can contain several operations.
     """

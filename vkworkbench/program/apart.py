@@ -14,14 +14,17 @@ from vkworkbench.program.analysis import analyze_file, unread
 from vkworkbench.report import OperationReport
 from vkworkbench.worker import Worker, WorkerDied
 
-# Memory limit for the analysis of one program, bytes. The largest accepted toolpath, with 5 million moves, needs less.
+# Memory limit for the analysis of one program, bytes. The largest accepted toolpath, with 5 million moves, needs less
+# memory.
 _MOST_MEMORY = 4e9
 _of_thread = threading.local()
 _workers: weakref.WeakSet[Worker] = weakref.WeakSet()
 
 
 def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[OperationReport, ...]:
-    """Analyse one NC program as `analyze_file` does, in a separate process. Each thread reuses its process.
+    """Analyse one NC program as `analyze_file` does, in a separate process.
+
+    Each thread uses one process for all its programs.
 
     Parameters
     ----------

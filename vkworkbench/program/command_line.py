@@ -136,7 +136,8 @@ def _run(asked: argparse.Namespace) -> int:
     if asked.simulate:
         with _writing(asked.stl or asked.png or _STANDARD_OUTPUT):
             return _UNREAD if simulate_programs(paths, asked) else 0
-    # The executor is created before the results are opened. If its creation fails, existing results are not lost.
+    # The executor is created before the results are opened. If the executor cannot be created, existing results are not
+    # lost.
     with _executor(asked, len(paths)) as (executor, ahead):
         return _work(asked, paths, executor, ahead, chosen)
 

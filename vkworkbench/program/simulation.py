@@ -49,8 +49,8 @@ def simulate(
     path : path
         File of the program.
     tool : Tool, or mapping of int to Tool, optional
-        The tool of the whole program, or tools by their numbers in the program. Other tools are read from the program's
-        comments. Operations with an unknown tool are not simulated, and remarks name these operations.
+        The tool of the whole program, or tools by their numbers in the program. Tools that are not given are read from
+        the program's comments. Operations with an unknown tool are not simulated, and remarks name these operations.
     stock : Solid, optional
         The default is a box around the cuts. A remark states that the default was used.
     view : View or str, optional
@@ -71,8 +71,8 @@ def simulate(
     Raises
     ------
     Unusable
-        If the file cannot be read, is not a milling program, has no cut, or has no known tool. The message gives
-        advice.
+        If the file cannot be read, is not a milling program, has no cut, or has no known tool. The exception's message
+        says what to do.
     OverBudget
         If the simulation would exceed the memory limit.
     ValueError

@@ -77,7 +77,7 @@ class OperationReport(Costs):
     fingerprint : str
         Fingerprint of the analysed path, tool and stock; empty for an NC program.
     document_id : str
-        Identifies the document even if another document has the same name; empty for an NC program.
+        Identifier of the document, unique even if another document has the same name; empty for an NC program.
     called : str or None
         FreeCAD's name for the operation's type or pattern, if the toolpath contradicts this name, e.g. ``"Offset"`` for
         a zigzag; None otherwise.

@@ -40,7 +40,7 @@ class Report:
         Limits of memory and time, as arguments of `best_resolution`.
     fixtures : dict
         Number of work offsets for which the operations of a job are posted, by (document name, job name). Jobs with an
-        unknown number are missing.
+        unknown number of work offsets are missing.
     simulated : dict
         Facts of a simulation of the whole job, by (document name, job name). Jobs without a simulation are missing.
     verdicts : dict

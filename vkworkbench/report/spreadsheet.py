@@ -12,7 +12,10 @@ _FORMULA = re.compile(r"[\s\x00-\x1f\ufeff\u200b-\u200f\u2060]*[=+\-@＝＋－�
 
 
 def as_cell(value: Any) -> Any:
-    """Return a text that spreadsheets do not calculate as a formula. Other values are returned unchanged."""
+    """Return a text that spreadsheets do not calculate as a formula.
+
+    A value that is not a text is returned unchanged.
+    """
     if isinstance(value, str) and _FORMULA.match(value):
         return "'" + value
     return value

@@ -94,7 +94,8 @@ class Clues:
         if 980 in codes or 990 in codes:
             self._per_turn = line if 990 in codes else None
         if self._slow is None and 0 < feed < _SLOWEST_MILLING:
-            if codes == [900] and "X" in parameters and "Z" in parameters:  # a turning cycle
+            # On lathes, G90 with X and Z words is a turning cycle.
+            if codes == [900] and "X" in parameters and "Z" in parameters:
                 self._slow = "G90", line
             elif self._per_turn is not None and mode > 0:
                 self._slow = "G99", self._per_turn

@@ -21,7 +21,10 @@ class Ended(Exception):
 
 
 class Unknown(Ended):
-    """A value is unknown because it comes from the machine. Reading ends only at a line that needs the value."""
+    """The value of a variable is unknown, because it comes from the machine.
+
+    Reading ends only at a line that needs the value.
+    """
 
 
 class Unreadable(Exception):

@@ -16,8 +16,8 @@ _MOST_SETS = 10  # largest number of I, J and K words in the line of a macro cal
 def arguments(words: Iterable[tuple[str, float]]) -> Frame:
     """Return the local variables that the words of Fanuc's macro call G65 set.
 
-    A line can contain several sets of I, J and K words. A new set begins at each I, J or K word that does not follow
-    the word before in the alphabet.
+    A line can contain several sets of I, J and K words. A new set begins at each I, J or K word whose letter is not
+    after the previous word's letter in the alphabet.
     """
     numbers: dict[int, Value] = {}
     sets, last = 0, ""

@@ -209,7 +209,8 @@ class Flow:
     def _filled(self, line: Words) -> str:
         """Return the words of a line with numbers in place of expressions, and perform its assignments.
 
-        The expressions use the values that variables have before the line. The word of an empty variable is left out.
+        The expressions use the values that variables have before the line. A word whose value is an empty variable is
+        left out.
         """
         parts: list[str] = []
         for before, letter, value in line.pieces:

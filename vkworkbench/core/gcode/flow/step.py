@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Define the effects of a macro statement: the words that remain, and the program line that follows."""
+"""Define the effects of a macro statement: the words that are left in its line, and the program line that follows."""
 
 from __future__ import annotations
 

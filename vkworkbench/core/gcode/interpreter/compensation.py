@@ -178,13 +178,16 @@ def _join(
 
 
 def _move_end(machine: Machine, compensation: Compensation, point: complex) -> None:
-    """Change the end of the command for the last offset curve."""
+    """Change the end point in the command for the last offset curve."""
     machine.move_end(compensation.command, point, point - compensation.tool, relative=compensation.relative)
     compensation.tool = point
 
 
 def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], curve: Curve) -> None:
-    """Add the command of an offset curve that begins at the tool's position. `move` contains the words to add."""
+    """Add the command of an offset curve that begins at the tool's position.
+
+    `move` contains further words of the command.
+    """
     start, end = compensation.tool, curve.end
     compensation.relative = machine.modes.relative
     target = end - start if compensation.relative else end

@@ -19,7 +19,8 @@ _ORIENT = 19  # M19 turns the spindle to the angle in its R word
 _SPINDLE = frozenset([3, 4, 5])
 # M-codes at which the operator or the tool changer can move the tool.
 _STOPS = frozenset([0, 1, 6, 60, 600])
-_SAVE, _FORGET, _RESTORE, _SAVE_FOR_CALL = 70, 71, 72, 73  # LinuxCNC's M-codes for the modal state
+# LinuxCNC's M-codes that save, discard and restore the modal state.
+_SAVE, _FORGET, _RESTORE, _SAVE_FOR_CALL = 70, 71, 72, 73
 
 
 def process(machine: Machine, value: float, letters: set[str]) -> bool:
