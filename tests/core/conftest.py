@@ -9,8 +9,8 @@ from functools import lru_cache
 import pytest
 from hypothesis import settings
 
-# No deadline: a test must not fail because the computer is busy.
-# derandomize: Hypothesis tries the same examples in every run, so a new failure is caused by the tested change.
+# There is no deadline, because a test must not fail only because the computer is busy.
+# With `derandomize`, Hypothesis tries the same examples in every run, so a new failure is caused by the tested change.
 # With 35 examples instead of Hypothesis' default of 100, the tests are quick. More examples do not detect more mutants.
 settings.register_profile("tests", deadline=None, derandomize=True, max_examples=35)
 settings.load_profile("tests")

@@ -51,7 +51,8 @@ FLOORS = (
     ("document.marks",),
     ("document.simulation",),
     ("document",),
-    ("", "__main__"),  # the package itself, with the names for macros, and the command line
+    # The empty name is the package itself, with the names for macros, and `__main__` is the command line.
+    ("", "__main__"),
     ("gui.qt",),
     ("gui.tree", "gui.gauss", "gui.strategies"),
     ("gui.results", "gui.simulation"),
@@ -188,7 +189,7 @@ def offences(files: dict[str, str]) -> Iterator[str]:
 
 
 def past_face(house: House, module: str, where: str, target: str) -> Iterator[str]:
-    """Yield an offence if `module` imports an internal module of another room instead of the room's face."""
+    """Yield a description if `module` imports an internal module of another room instead of the room's face."""
     room = house.room_of(target)
     if room is not None and target not in house.faces and not module.startswith(f"{room}."):
         if module != room:
@@ -215,7 +216,7 @@ FILES = read(PACKAGE)
 
 
 @pytest.mark.long
-def test_imports_respect_layers_and_public_names():
+def test_imports_respect_floors_and_public_names_of_rooms():
     assert list(offences(FILES)) == []
 
 

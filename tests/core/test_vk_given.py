@@ -44,7 +44,7 @@ MEMORY = {"memory_bytes": 1e9}
 
 
 class Quantity:
-    """A number like FreeCAD's quantities."""
+    """An object that behaves as a number, like FreeCAD's quantities."""
 
     def __init__(self, value):
         self.value = value
@@ -53,7 +53,7 @@ class Quantity:
         return self.value
 
 
-NUMBERS = {  # functions with a number that must be finite and not negative, by the name of the argument
+NUMBERS = {  # By the name of the argument: functions with a number that must be finite and not negative.
     "memory_budget": lambda given: simulate(PATH, **WITH, memory_budget=given),
     "tolerance": lambda given: facts(DONE, CrashCheck(), tolerance=given),
     " tolerance": lambda given: linearize([], tolerance=given),
@@ -99,7 +99,8 @@ def test_bad_number_raises_an_error_with_its_name(name, given):
         ("width", 0.5, lambda given: View(width=given)),
         ("step", 0.5, DONE.at),
         ("step", "1", DONE.at),
-        ("first", -1, lambda given: DONE.chips(given, 2)),  # -1 is the source of uncut stock
+        # The number -1 stands for uncut stock, and not for a trajectory.
+        ("first", -1, lambda given: DONE.chips(given, 2)),
         ("end", 3, lambda given: DONE.chips(0, given)),
         ("trajectory", 1.5, DONE.cuts.source),
         ("processes", 0, lambda given: simulate(PATH, **WITH, processes=given)),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The signature of a polyline that is moved, rotated, mirrored, reversed or refined."""
+"""The signature (phi, turns, level) of a polyline that is moved, rotated, mirrored, reversed or refined."""
 
 import numpy as np
 import pytest

@@ -112,7 +112,7 @@ def planned(path, machine):
     corners = [0.0]
     for number in range(1, len(moves)):
         before, after = units[number - 1], units[number]
-        half = sqrt(min(max((1 + float(before @ after)) / 2, 0.0), 1.0))  # sine of half the angle between the moves
+        half = sqrt(min(max((1 + float(before @ after)) / 2, 0.0), 1.0))  # Sine of half the angle between the moves.
         limit = min(speeds[number - 1], speeds[number]) ** 2
         if half < 1 - 1e-12:
             turn = after - before

@@ -32,7 +32,7 @@ def test_times_of_feeds_and_rapids_are_added():
     assert work.lowest == 15 and work.depth == 5 and work.notes == ()
 
 
-def test_shortest_and_median_length_are_per_command():
+def test_shortest_and_median_length_of_moves_are_per_command():
     """An arc counts as one move regardless of its chords, a rapid does not count, and a cycle counts with its feeds."""
     path = linearize(
         [
@@ -106,7 +106,7 @@ def test_rapids_of_unknown_speed_have_a_note():
     assert one.notes == (
         "The machining time does not include 4 mm of rapids, because the tool controller's VertRapid is 0.",
     )
-    # without vertical rapids, VertRapid is not needed
+    # A toolpath without vertical rapids does not need VertRapid.
     level = machining(linearize([*commands[:2], ("G1", {"Z": 0.0, "F": 1.0})]))
     assert level.notes == (
         "The machining time does not include 100 mm of rapids, because the tool controller's HorizRapid is 0.",
@@ -164,13 +164,13 @@ def test_exact_lengths_of_lines_equal_their_chords():
 
 
 def test_lowest_point_ignores_rapids_below_cuts():
-    """The tool enters the stock at rapid and leaves at feed. The height of a lower rapid does not count."""
+    """The tool enters the stock by a rapid and leaves it at feed. A later rapid, lower than all cuts, is ignored."""
     rising = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"Z": -2.0}), ("G1", {"X": 9.0, "Z": 1.0, "F": 5.0})]
     work = machining(linearize([*rising, ("G0", {"Z": 9.0}), ("G0", {"X": 50.0}), ("G0", {"Z": -7.0})]), top=1.0)
     assert (work.lowest, work.depth) == (-2, 3)
     again = machining(linearize([*rising, ("G1", {"X": 0.0}), ("G1", {"Z": 4.0})]), top=1.0)
     assert (again.lowest, again.depth) == (-2, 3)
-    assert machining(linearize(rising), top=-2.5).depth == 0  # all cuts are above the top of the stock
+    assert machining(linearize(rising), top=-2.5).depth == 0  # All cuts are above the top of the stock.
 
 
 def test_dwells_of_commands_and_cycles_add_time():

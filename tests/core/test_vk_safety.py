@@ -33,7 +33,7 @@ def named(tree):
             if isinstance(node.func, ast.Name):
                 yield node.func.id
             elif isinstance(node.func, ast.Attribute) and isinstance(node.func.value, ast.Name):
-                # Qt's exec, and functions of re, are allowed
+                # The method exec of Qt dialogs, and functions of the module re, are allowed.
                 if node.func.attr != "exec" and node.func.value.id != "re":
                     yield node.func.attr
         elif isinstance(node, ast.Import):
@@ -94,12 +94,12 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
         (row,) = csv.DictReader(file)
     for cell in (row["label"], row["cautions"], row["machining_notes"]):
         assert cell == ("'" + text if text in FORMULAS else text)
-    assert float(row["length"]) == -1.5  # numbers are not quoted
+    assert float(row["length"]) == -1.5  # Numbers are not quoted.
 
 
 @pytest.mark.sources
 def test_message_boxes_and_tooltips_are_made_in_plain_text(parse):
-    """Only plain_text.py makes them, because elsewhere a text of a document could be read as HTML."""
+    """Only plain_text.py makes message boxes and tooltips; elsewhere, Qt could read a text of a document as HTML."""
     for path in (ROOT / "vkworkbench" / "gui").rglob("*.py"):
         named_there = {node.id for node in ast.walk(parse(path)) if isinstance(node, ast.Name)}
         assert {"QMessageBox", "QToolTip"} & named_there == set() or path.name == "plain_text.py", path.name

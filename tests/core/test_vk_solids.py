@@ -53,7 +53,7 @@ def chord(solid, origin, direction):
         ((2, 4, 4), (0, 1, 0), -2, 6),
         ((0, 3, 4), (1, 0, 0), 1, 5),
         ((0, 1, 4), (1, 1, 0), sqrt(2), 5 * sqrt(2)),
-        ((5, 2, 0), (0, 0.6, 0.8), 3.75, 7.5),  # the ray goes along a side of the box
+        ((5, 2, 0), (0, 0.6, 0.8), 3.75, 7.5),  # The ray goes along a side of the box.
         ((2, 2, 7), (1, 1, -1), sqrt(3), 3 * sqrt(3)),
     ],
 )
@@ -80,7 +80,7 @@ def test_rays_of_a_view_through_a_box_have_known_depths():
 
 
 def test_stock_around_cuts_adds_the_tools_radius():
-    """Rapids do not count.
+    """Rapids do not change the stock.
 
     The stock extends half the tool's diameter around and below the cuts, and up to the highest cut.
     """
@@ -91,7 +91,7 @@ def test_stock_around_cuts_adds_the_tools_radius():
     assert box.lower == pytest.approx([-3, -3, -12]) and box.upper == pytest.approx([33, 23, max(top, -6)])
     level = replace(path, points=path.points * (1, 1, 0))
     flat = stock_around(level, Tool("endmill", 6))
-    assert flat.lower[2] == -3 and flat.upper[2] == 3  # the height of the stock is at least the tool's diameter
+    assert flat.lower[2] == -3 and flat.upper[2] == 3  # The height of the stock is at least the tool's diameter.
 
 
 def test_stock_around_cuts_is_limited_to_allowed_sizes():

@@ -11,7 +11,7 @@ from vkworkbench.core.steady import processor_clock, steady_seconds
 
 
 class Workshop:
-    """Pieces of work with prescribed durations, and a clock that advances by these durations."""
+    """Functions (pieces of work) with prescribed durations, and a clock that advances by these durations."""
 
     def __init__(self, *times):
         self.now, self.turns = 0.0, []
@@ -28,18 +28,18 @@ class Workshop:
         return self.now
 
 
-def test_piece_is_timed_until_shortest_time_repeats_three_times():
+def test_work_is_timed_until_the_shortest_time_comes_three_times():
     shop = Workshop([5.0, 1.0, 9.0, 1.04, 1.2, 1.01, 7.0])
     assert steady_seconds(shop.pieces, most=20, clock=shop.clock) == pytest.approx([1.0])
     assert len(shop.turns) == 6
 
 
-def test_shortest_time_counts_if_never_steady():
+def test_shortest_time_is_returned_if_times_never_become_steady():
     shop = Workshop([2.0**k for k in range(9, -1, -1)])
     assert steady_seconds(shop.pieces, most=10, clock=shop.clock) == pytest.approx([1.0])
 
 
-def test_only_unsteady_pieces_are_timed_again():
+def test_only_work_with_unsteady_times_is_timed_again():
     shop = Workshop([1.0] * 3, [9.0, 3.0, 3.0, 3.0], [1e-3] * 3)
     found = steady_seconds(shop.pieces, most=20, clock=shop.clock)
     assert found == pytest.approx([1.0, 3.0, 1e-3])

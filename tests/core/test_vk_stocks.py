@@ -41,16 +41,16 @@ def test_cylinder_has_its_size_corners_and_planes():
     "origin, direction, near, far",
     [
         ((1, 2, 20), (0, 0, -1), 9, 17),
-        ((5, 5, 0), (0, 0, 1), 3, 11),  # the ray lies on the wall
+        ((5, 5, 0), (0, 0, 1), 3, 11),  # The ray lies on the wall.
         ((-10, 2, 5), (1, 0, 0), 6, 16),
-        ((-10, 5, 5), (1, 0, 0), 7, 15),  # the ray passes 3 mm beside the axis and is inside for 8 mm
-        ((1, 20, 3), (0, -1, 0), 13, 23),  # the ray lies in the lower face
+        ((-10, 5, 5), (1, 0, 0), 7, 15),  # The ray passes 3 mm beside the axis and is inside for 8 mm.
+        ((1, 20, 3), (0, -1, 0), 13, 23),  # The ray lies in the lower face.
         ((1, 20, 11), (0, -1, 0), 13, 23),
-        ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # the ray enters through the wall and leaves through the lower face
-        ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # the ray enters through the wall and leaves through the upper face
+        ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # The ray enters through the wall and leaves through the lower face.
+        ((-5, 2, 3), (0.8, 0, 0.6), 1.25, 40 / 3),  # The ray enters through the wall and leaves through the upper face.
         # The ray is 0.05 mm inside the wall.
         ((-10, 6.95, 5), (1, 0, 0), 11 - sqrt(25 - 4.95**2), 11 + sqrt(25 - 4.95**2)),
-        ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # the ray passes through the lower and the upper face
+        ((1, 2, 7), (0.6, 0, 0.8), -5, 5),  # The ray passes through the lower and the upper face.
         ((1 - 10, 2 - 10, 7), (sqrt(0.5), sqrt(0.5), 0), 10 * sqrt(2) - 5, 10 * sqrt(2) + 5),
     ],
 )
@@ -106,7 +106,7 @@ def test_rays_from_above_through_cavities_have_gaps():
     assert found.gaps.ray.tolist() == [0, 0, 2]
     assert found.gaps.enter == pytest.approx([-3.5, 0.5, -3.5]) and found.gaps.leave == pytest.approx([-1.5, 2.5, -1.5])
     assert frame.centre.tolist() == [3, 3, 4.5]
-    _, found = spans(Mesh(HOLLOW), (0, 0, -1), (4, 0), (0.1, 0.2), (4, 1), (-2.5, 0))  # the first ray misses the mesh
+    _, found = spans(Mesh(HOLLOW), (0, 0, -1), (4, 0), (0.1, 0.2), (4, 1), (-2.5, 0))  # The first ray misses the mesh.
     assert found.near == pytest.approx([0, -4.5, 0, -1.5]) and found.gaps.ray.tolist() == [1, 1]
 
 
@@ -168,7 +168,7 @@ def test_triangles_without_area_are_dropped(same):
     assert refused.value.what.code == "stock-without-volume"
 
 
-def test_equality_of_solids_is_exact():
+def test_solids_are_equal_only_if_all_numbers_are_exactly_equal():
     for make in (lambda d: Stock((0, 0, 0), (1, 2, 3 + d)), lambda d: Cylinder((0, 0, 0), 1, 3 + d),
                  lambda d: Mesh(box((0, 0, 0), (1, 2, 3 + d)))):  # fmt: skip
         one = make(0)
@@ -181,7 +181,7 @@ def test_equality_of_solids_is_exact():
 def test_distinct_rows_equal_those_of_numpy(count):
     rows = np.random.default_rng(3).integers(-2, 3, (count, 3))
     first, number = _distinct(rows)
-    if count == 0:  # numpy 1.17 fails for an empty array
+    if count == 0:  # Numpy 1.17 fails for an empty array.
         assert first.tolist() == number.tolist() == []
         return
     _, its_first, its_number = np.unique(rows, axis=0, return_index=True, return_inverse=True)

@@ -70,11 +70,11 @@ def test_missing_field_of_a_strategy_is_found(field, value, missing):
 
 
 @pytest.mark.sources
-def test_documents_contain_exactly_the_strategies():
+def test_docs_have_exactly_one_section_for_each_strategy():
     assert set(re.findall(r'<a id="([a-z-]+)"></a>', DOCUMENT)) == {strategy.value for strategy in Strategy}
 
 
-def test_values_of_strategies_are_stable():
+def test_values_of_strategies_do_not_change():
     # Documents store the values, and macros read them. Values may be added, but not changed.
     stored = {"zigzag", "one-way", "contour-parallel", "profile", "waterline", "spiral", "helix", "adaptive",
               "drilling", "engraving", "mixed", "unknown", "empty"}  # fmt: skip
@@ -82,5 +82,5 @@ def test_values_of_strategies_are_stable():
     assert Strategy("one-way") is Strategy.ONE_WAY and f"{Strategy.ONE_WAY}" == Strategy.ONE_WAY == "one-way"
 
 
-def test_unknown_and_empty_are_not_answers():
+def test_only_unknown_and_empty_are_not_recognised_strategies():
     assert [one.value for one in Strategy if not one.is_answer] == ["unknown", "empty"]

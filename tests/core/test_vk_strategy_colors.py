@@ -27,7 +27,7 @@ LEAST = {
     "everybody": 20.0,
     "deuteranope, Vienot": 10.0,
     "deuteranope, Machado": 10.0,
-}  # minimum differences in CIELAB (CIE 1976)
+}  # These are the minimum differences of colours in CIELAB (CIE 1976).
 
 
 def linear(color):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tools, compared with values computed by hand."""
+"""The shapes of tools, compared with values computed by hand."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vkworkbench.language import Unusable
     "tool, heights",
     [
         (Tool("endmill", 10), {0: 0, 3: 0, 5: 0, 5.001: inf}),
-        (Tool("endmill", 10, corner_radius=2), {4.9: 0}),  # only a bull-nose has a corner radius
+        (Tool("endmill", 10, corner_radius=2), {4.9: 0}),  # Only a bull-nose has a corner radius.
         (Tool("ballend", 10), {0: 0, 3: 1, 4: 2, 5: 5, 5.1: inf}),
         (Tool("bullnose", 20, corner_radius=5), {0: 0, 5: 0, 8: 1, 9: 2, 10: 5, 10.1: inf}),
         (Tool("bullnose", 20), {9.9: 0}),
-        (Tool("vbit", 10), {0: 0, 1: sqrt(3), 5: 5 * sqrt(3)}),  # the default tip angle is 60 degrees
+        (Tool("vbit", 10), {0: 0, 1: sqrt(3), 5: 5 * sqrt(3)}),  # The default tip angle is 60 degrees.
         (Tool("vbit", 10, tip_angle=pi / 2), {3: 3, 5: 5, 5.1: inf}),
         (Tool("vbit", 10, tip_angle=pi / 2, tip_diameter=4), {1: 0, 2: 0, 3: 1, 5: 3}),
         (Tool("vbit", 10, tip_angle=pi), {4: 0}),
@@ -45,7 +45,8 @@ def test_profile_of_a_tool_is_constant_beyond_its_rim():
         tool = Tool(shape, 10, corner_radius=2)
         assert tool.profile(np.array([5, 5 + 1e-9, 7])) == pytest.approx([rim] * 3)
     rng = np.random.default_rng(1)
-    for diameter, share in rng.uniform((0.1, 0), (30, 0.5), (200, 2)):  # random radii, with all kinds of rounding
+    # The diameters and corner radii are random, so that rounding errors of all kinds occur.
+    for diameter, share in rng.uniform((0.1, 0), (30, 0.5), (200, 2)):
         tool = Tool("bullnose", diameter, diameter * share)
         assert tool.profile(np.array([diameter])) == pytest.approx([tool.rounding])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A toolpath, its parts, and its problems."""
+"""A toolpath, the parts into which it is cut, and the problems found while it was read."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ def test_toolpath_made_of_points_has_no_commands():
     assert (alone.commands, len(alone.tool_changes), alone.comments, alone.problems) == (0, 0, (), ())
 
 
-def test_part_keeps_inner_events_and_no_problems():
+def test_part_of_a_toolpath_keeps_inner_tool_changes():
     path = linearize(COMMANDS)
     assert path.tool_changes.tolist() == [1, 3] and [at for at, _ in path.comments] == [0, 2, 3]
     part = path.part(1, 4)
     assert len(part) == 3 and part.lengths == pytest.approx([12, 5, 10])
     for name in ("rapid", "command", "feed", "sweep", "plane", "cycle"):
         assert getattr(part, name).tolist() == getattr(path, name)[1:].tolist(), name
-    assert part.tool_changes.tolist() == [2]  # a tool change at the beginning belongs to no move of the part
+    assert part.tool_changes.tolist() == [2]  # The tool change before the first move of the part is not in the part.
     assert [at for at, _ in part.comments] == [1, 2]
     assert part.commands == path.commands == len(COMMANDS) and path.problems and part.problems == ()
     middle = path.part(1, 3)
@@ -55,12 +55,12 @@ def test_part_keeps_inner_events_and_no_problems():
     assert np.array_equal(middle.points, path.points[1:4])
 
 
-def test_problem_has_first_command_and_count():
+def test_problem_names_its_first_command_and_its_count():
     (problem,) = linearize([*COMMANDS, ("G999", {})]).problems
     assert problem == Problem(10, problem.what, 2) and not problem.of_time
     assert problem.message == "The unknown code 'G999' is ignored."
     assert problem.remark == Message("in-commands", sentence=problem.what, count=2, command=11)
-    # the number of the command counts from 1
+    # The text numbers commands from 1.
     assert str(problem) == "Command 11 (first of 2): The unknown code 'G999' is ignored."
     assert str(Problem(4, problem.what)) == "Command 5: The unknown code 'G999' is ignored."
     assert not problem.takes_time
@@ -108,8 +108,11 @@ def test_cuts_through_points_equal_linearized_commands():
     assert len(Toolpath.through([])) == len(Toolpath.through([(1, 2, 3)])) == 0
 
 
-def test_time_problem_in_a_range_keeps_only_its_commands():
-    """In a range of commands, a problem of time keeps the commands in the range. Other problems stay whole."""
+def test_problem_with_times_is_limited_to_a_range_of_commands():
+    """For a range of commands, a problem with times keeps only its commands in the range.
+
+    Other problems keep all their commands.
+    """
     dwells = Problem.at([4, 6, 9], Message("dwell-untimed"))
     assert dwells == Problem(4, dwells.what, 3) and hash(dwells) == hash(Problem(4, dwells.what, 3))
     assert "commands" not in repr(dwells)

@@ -174,19 +174,22 @@ def test_processes_equal_available_cores(monkeypatch):
         assert worker.processes() == 1
     finally:
         os.sched_setaffinity(0, mine)
-    monkeypatch.delattr(os, "sched_getaffinity")  # like on Windows and macOS
+    monkeypatch.delattr(os, "sched_getaffinity")  # Windows and macOS do not have this function.
     assert worker.processes() == os.cpu_count()
 
 
 def test_python_is_found_beside_freecad_or_in_its_prefix(monkeypatch, tmp_path):
-    """In FreeCAD, sys.executable is FreeCAD itself. Its Python lies beside FreeCAD or in the folders of sys.prefix."""
+    """In FreeCAD, sys.executable is FreeCAD itself.
+
+    FreeCAD's Python interpreter is beside FreeCAD or in a folder of sys.prefix.
+    """
     assert worker.interpreter() == sys.executable
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
     for executable in (str(tmp_path / "apart" / "FreeCAD"), "", None):
         monkeypatch.setattr(sys, "executable", executable)
         monkeypatch.setattr(sys, "prefix", str(tmp_path / "usr"))
         assert worker.interpreter() is None and worker.processes() == 1
-    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # a folder is not a program
+    (tmp_path / "usr" / "bin" / "python3").mkdir(parents=True)  # A folder named python3 is not a Python interpreter.
     (tmp_path / "apart").mkdir()
     monkeypatch.setattr(sys, "executable", str(tmp_path / "apart" / "FreeCAD"))
     for place in (

@@ -31,7 +31,7 @@ def templates(code):
 
 
 def places(code):
-    """Return the placeholders of a message with their quantities."""
+    """Return {placeholder: quantity, such as length or time} of the message with the given code."""
     return dict(place for template in templates(code) for place in PLACE.findall(template))
 
 
@@ -109,7 +109,7 @@ def test_labels_in_messages_are_not_changed(label):
 def wrong_reasons():
     """Yield the kind and the reason of each synthetic toolpath whose reason is not right in every language.
 
-    One toolpath per kind is enough: more toolpaths of the same kinds give no other codes.
+    One toolpath per kind is enough, because further toolpaths of a kind give no other message codes.
     """
     for kind, _, build in synthetic.SAMPLES:
         found = recognize(linearize(build(np.random.default_rng(0))), tool_diameter=6.0)
@@ -189,7 +189,7 @@ def test_different_times_in_a_sentence_are_written_differently():
     assert (ENGLISH.time(2.0, extra_digits=2), ENGLISH.time(36_000.0, extra_digits=1)) == ("2.000 s", "10.0 h")
 
 
-def test_volume_has_the_unit_of_its_cubes_side():
+def test_unit_of_a_volume_is_chosen_by_the_side_of_its_cube():
     class Large(Reader):
         def length_unit(self, millimetres):
             return (1000.0, "m") if millimetres > 1000 else (1.0, "mm")
@@ -204,7 +204,7 @@ def test_volume_has_the_unit_of_its_cubes_side():
     (9.96, "10 s", "10 s"), (96.0, "1.6 min", "2 min"), (1e7, "2,800 h", "3,000 h"), (0.0, "0 ms", "0 ms"),
     (float("inf"), "inf h", "inf h"),
 ])  # fmt: skip
-def test_digits_of_a_time_are_computed_from_its_error(seconds, two, one):
+def test_number_of_digits_of_a_time_depends_on_its_error(seconds, two, one):
     assert ENGLISH.time(seconds, 1.3) == ENGLISH.estimated_time(seconds, 1.9) == two
     assert ENGLISH.time(seconds, 2.0) == one and ENGLISH.estimated_time(seconds, 4.0) == f"about {one}"
     assert ENGLISH.time(seconds, 1.01) == ENGLISH.time(seconds)
@@ -253,7 +253,7 @@ def test_equal_messages_are_equal_values():
         Message("x", a=object())
 
 
-def test_message_codes_include_parts():
+def test_codes_of_a_message_include_the_codes_of_its_parts():
     inner = Message("seen", parts=[Message("one"), "a text", Message("more")])
     assert Message("all", a=inner, b=Message("last"), c=2).codes == ("all", "seen", "one", "more", "last")
 

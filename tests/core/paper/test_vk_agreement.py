@@ -52,7 +52,7 @@ def bore(turns):
 
 
 def slot(passes):
-    """Return passes back and forth on one line, each deeper than the last, so every turn is an exact reversal."""
+    """Return passes back and forth on one line, each deeper than the pass before. Every turn is an exact reversal."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0, "F": 5.0})]
     return commands + [("G1", {"X": 50.0 * (k % 2), "Z": -0.1 * k}) for k in range(1, passes + 1)]
 
@@ -75,7 +75,7 @@ def of_corpus():
 
 
 def report(path, found):
-    """Return a report with one operation, like an analysis makes it, without costs."""
+    """Return a report with one operation, as an analysis returns it, but without simulation costs."""
     unknown = dict.fromkeys(OperationReport.__dataclass_fields__)
     known = {"document": "D", "name": "Operation", "label": "Operation", "counted": True, "recognition": found,
              "trajectories": len(path), "machining": machining(path)}  # fmt: skip
@@ -126,7 +126,7 @@ def test_signature_of_freecad_operations_agrees_in_all_places(tmp_path):
     assert sum(check(*one, tmp_path / "report.csv") for one in islice(of_corpus(), 0, None, 10)) >= 50
 
 
-def test_area_has_the_signature_of_its_polyline():
+def test_signature_of_an_area_equals_the_one_of_its_points():
     for commands in OWN.values():
         areas = monotonous_areas(linearize(commands))
         for area in range(len(areas.start)):
@@ -140,7 +140,7 @@ def test_area_has_the_signature_of_its_polyline():
                 assert of_area.total_turning == pytest.approx(of_points.total_turning, abs=1e-9)
 
 
-def test_phi_of_the_last_linked_loop_reaches_its_level():
+def test_phi_of_eight_linked_loops_reaches_eight_full_turns():
     areas = monotonous_areas(linearize(OWN["linked loops"]))
     assert len(areas.start) == 1 and not areas.closed[0]
     assert areas.phi_range == pytest.approx((0.0, 8 * 2 * np.pi)) and areas.top_level == 8
@@ -152,7 +152,7 @@ def test_signatures_of_areas_share_memory():
     assert all(np.shares_memory(ours, whole) for ours, whole in ((one.alpha, areas.alpha), (one.phi, areas.phi)))
 
 
-def test_verdict_by_the_papers_rule_has_known_values():
+def test_strategy_and_numbers_by_the_papers_rule_are_as_expected():
     path = {name: linearize(commands) for name, commands in OWN.items()}
     verdicts = {name: recognize(p, tool_diameter=6.0).paper for name, p in path.items()}
     assert verdicts["zigzag"].strategy is Strategy.ZIGZAG and verdicts["zigzag"].sense is None
@@ -165,7 +165,8 @@ def test_verdict_by_the_papers_rule_has_known_values():
     # last side to the first side.
     assert verdicts["one loop"].strategy is Strategy.UNKNOWN
     assert verdicts["one loop"].phi_range == pytest.approx((0.0, 1.5 * np.pi))
-    # From a corner of the square, V_k points to all other corners within a quarter turn, and turns in one sense.
+    # V_k is the vector from the first corner of the square to the corner k. Its direction turns by a quarter turn, in
+    # one sense.
     assert verdicts["one loop"].sense == "ccw"
     assert verdicts["one loop"].theta_range == pytest.approx((0.0, np.pi / 2))
 
@@ -174,7 +175,7 @@ def test_verdict_by_the_papers_rule_has_known_values():
 def test_directions_and_turns_are_computed_in_one_file():
     core = Path(__file__).resolve().parents[3] / "vkworkbench" / "core"
     sources = {path: path.read_text() for path in core.rglob("*.py")}
-    # Other files compute only angles around the centres of arcs and around the axis of a drawn tool.
+    # Other files use arctan2 only for angles around the centres of arcs and around the axis of a drawn tool.
     arcs = {"arcs.py", "legacy_cautions.py", "tool_picture.py"}
     assert {path.name for path, text in sources.items() if "arctan2" in text} <= {"directions.py", *arcs}
     wrapped = {path.name for path, text in sources.items() if re.search(r"rint\([^\n]*TURN|def wrap\b", text)}

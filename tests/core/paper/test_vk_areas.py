@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The measures of an area do not depend on its position in the program or on other areas."""
+"""The signature and the measures of an area do not depend on its position in the program or on other areas."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import pytest
 from vkworkbench.core import Strategy, linearize, signature
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
 
-# The path goes back and forth on one line, so its turns by half a turn are neither left nor right.
+# The path goes back and forth on one line, so its half-turns are neither turns to the left nor to the right.
 SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]
 # The square is closed except for a gap of 0.4 mm, like a contour after a lead-in.
 SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]
-ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # the gap is also 0.4 mm, but the enclosed area is tiny
+ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # The gap is also 0.4 mm, but the enclosed area is tiny.
 
 
 def areas_of(*strokes):
@@ -26,7 +26,7 @@ def at(stroke, x, y):
 
 
 @pytest.mark.parametrize("strokes", [(SLOT, SLOT), (SQUARE, SLOT), (ROW, SQUARE, SLOT)])
-def test_area_does_not_depend_on_earlier_areas(strokes):
+def test_signature_of_an_area_does_not_depend_on_earlier_areas(strokes):
     alone, last = areas_of(SLOT).signature(0), areas_of(*strokes).signature(len(strokes) - 1)
     assert last.unsigned.tolist() == alone.unsigned.tolist() == [0, 1]
     assert last.reversals.tolist() == alone.reversals.tolist()
@@ -35,10 +35,10 @@ def test_area_does_not_depend_on_earlier_areas(strokes):
 
 
 @pytest.mark.parametrize("sense", [1, -1])
-def test_reversal_turns_back_the_turning_of_its_area(sense):
+def test_sense_of_a_reversal_does_not_depend_on_earlier_areas(sense):
     """The area turns by a quarter, continues straight, and reverses.
 
-    The contour before the area turned more, in either sense.
+    The contour before the area makes more turns, in either sense.
     """
     late = [(0, 0), (30, 0), (30, 30 * sense), (30, 60 * sense), (30, 30 * sense), (30, 0)]
     for before in (SQUARE, SQUARE[::-1]):
@@ -68,8 +68,8 @@ AROUND = [(20, 0), (20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     [
         (IN_AND_OUT, 0),
         (IN_AND_OUT[:3], 0),
-        ([(30, 0), *AROUND, (30, 0)], 1),  # the lead-in and the lead-out are one line outside of the loop
-        ([(10, 0), *AROUND, (10, 0)], 1),  # the lead-in and the lead-out are one line inside the loop
+        ([(30, 0), *AROUND, (30, 0)], 1),  # The lead-in and the lead-out are one line outside of the loop.
+        ([(10, 0), *AROUND, (10, 0)], 1),  # The lead-in and the lead-out are one line inside the loop.
         ([(10, 0), *AROUND, *AROUND[1:], (10, 0)], 2),
         ([(30, 0), *RELIEVED, (30, 0)], 1),
     ],
@@ -107,7 +107,7 @@ def test_detour_out_and_back_adds_no_turn(before, behind, sense):
 
 
 @pytest.mark.parametrize("links", [1, -1])
-def test_phi_of_rows_cut_back_and_forth_stays_on_level_0(links):
+def test_phi_of_rows_cut_back_and_forth_has_a_range_of_pi(links):
     rows = [(x, 3 * links * i) for i in range(12) for x in (0, 40, 0)]
     areas = areas_of(rows)
     assert len(areas.unsigned) == 12 and areas.top_level == 0
@@ -138,15 +138,18 @@ def test_phi_of_rows_that_fan_out_is_their_direction(turned):
     assert abs(signature.phi[-1]) == pytest.approx(398 * turned, abs=np.pi + 1e-9)
 
 
-def test_loop_after_zigzag_does_not_close_the_area():
-    """The loop returns to the end of a row once, and does not make the zigzag a closed contour."""
+def test_loop_after_a_zigzag_does_not_close_the_zigzag():
+    """A loop follows the zigzag and returns to the last point of the rows.
+
+    The zigzag does not become a closed contour.
+    """
     rows = [(x, 3.0 * k) for k in range(12) for x in ((0.0, 40.0) if k % 2 == 0 else (40.0, 0.0))]
     loop = [(0.0, 36.0), (5.0, 36.0), (5.0, 40.0), (0.0, 40.0), (0.0, 36.0)]
     areas = areas_of([*rows, *loop])
     assert len(areas.loops[0]) and np.abs(areas.phi_ranges).max() < 2 * np.pi - 0.1
 
 
-def test_areas_climb_if_a_cut_changes_its_height():
+def test_areas_with_a_cut_that_changes_height_are_climbing():
     level, ramp = ([(0.0, 0.0, -1.0), (20.0, 0.0, -1.0), (20.0, 9.0, z)] for z in (-1.0, -1.5))
     for strokes, climbs in (([level, level], False), ([level, ramp], True)):
         assert monotonous_areas(linearize(programs.program(strokes))).climbs is climbs

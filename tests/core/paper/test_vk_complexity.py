@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The complexity of polylines, compared with turns counted by hand."""
+"""The number of turns of polylines, compared with turns counted by hand."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ STAR = [(np.cos(0.8 * PI * k), np.sin(0.8 * PI * k)) for k in range(6)]
     [
         (SQUARE, 2, 2),
         (SQUARE[::-1], 2, -2),
-        (SQUARE[:-1], 1, 1),  # the square is open, so the path turns at two corners only
-        (STAR, 4, 4),  # the pentagram makes two full turns
-        ([(0, 0), (9, 0), (9, 1), (0, 1), (0, 2), (9, 2)], 2, 0),  # the zigzag's turns to both sides cancel
+        (SQUARE[:-1], 1, 1),  # The square is open, so the path turns at two corners only.
+        (STAR, 4, 4),  # The pentagram makes two full turns.
+        # The turns of the zigzag to the left and to the right cancel.
+        ([(0, 0), (9, 0), (9, 1), (0, 1), (0, 2), (9, 2)], 2, 0),
         # The dent adds a quarter turn to the right and a quarter turn to the left.
         ([(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2), (0, 0)], 3, 2),
         ([(0, 0), (5, 0)], 0, 0),

@@ -29,11 +29,11 @@ def test_axis_lies_between_directions_weighted_by_length():
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_level_n_is_reached_at_n_turns_within_rounding(sign):
+def test_level_is_the_number_of_whole_turns_within_rounding(sign):
     turn = 2 * np.pi
     assert [level_of(sign * phi) for phi in (turn - 1e-5, turn - 1e-7, turn, 2.9 * turn)] == [0, sign, sign, 2 * sign]
 
 
-def test_upper_end_of_phi_is_farthest_if_both_ends_are_equal():
+def test_upper_end_of_phi_is_chosen_if_both_are_equally_far():
     assert farthest((-3.0 - 1e-9, 3.0)) == 3.0
     assert farthest((-3.1, 3.0)) == -3.1 and farthest((-3.0, 3.1)) == 3.1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines in the picture of the paper's method."""
+"""The lines of the Gauss map, which is the picture of the paper's method."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ def spiral_in(loops):
     return commands
 
 
-def test_rapids_separate_areas():
+def test_rapids_separate_areas_of_the_gauss_map():
     first = spiral_in(3)
     second = [("G0", {"Z": 5.0}), ("G0", {"X": 100.0, "Y": 0.0}), ("G1", {"Z": 0.0}), ("G1", {"X": 105.0})]
     areas = monotonous_areas(linearize(second + first))
@@ -35,13 +35,13 @@ def test_rapids_separate_areas():
     assert links(areas)[:2].tolist() == [[105.0, 0.0], [0.0, 0.0]]
 
 
-def test_path_without_cuts_has_no_area():
+def test_path_without_cuts_has_no_area_in_the_gauss_map():
     assert len(monotonous_areas(linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": 0.0})])).start) == 0
     assert len(monotonous_areas(linearize([])).start) == 0
 
 
 def test_arcs_of_the_gauss_image_are_divided_by_sense():
-    # The direction turns from east to north, back to east, and by half a turn, which has no sense.
+    # The direction turns from +X to +Y, back to +X, and then by half a turn, which has no sense.
     counter_clockwise, clockwise = image_arcs([0, np.pi / 2, 0, np.pi], [1.0, 1.2, 1.4, 1.6])
     assert np.isnan(counter_clockwise[-1]).all() and np.isnan(clockwise[-1]).all()
     assert counter_clockwise[0] == pytest.approx([1, 0]) and counter_clockwise[-2] == pytest.approx([0, 1.2])
@@ -59,26 +59,26 @@ def test_constant_gauss_image_has_no_arcs():
 
 
 @given(st.lists(st.floats(-1e6, 1e6), max_size=400), st.integers(1, 30))
-def test_thinned_values_keep_every_peak(values, count):
+def test_thinned_curve_of_phi_keeps_every_peak(values, count):
     values = np.array(values)
     kept = thinned(values, count)
     assert len(kept) <= max(4 * count, 0) and (np.diff(kept) > 0).all()
     if len(values):
         assert kept[0] == 0 and kept[-1] == len(values) - 1
-        for edge in range(count):  # the minimum and the maximum of every stretch are kept
+        for edge in range(count):  # The minimum and the maximum of each of `count` stretches of the values are kept.
             stretch = values[edge * len(values) // count : (edge + 1) * len(values) // count]
             if len(stretch):
                 assert {stretch.min(), stretch.max()} <= set(values[kept])
 
 
-def test_thinned_values_keep_the_ends_of_every_stretch():
+def test_thinned_curve_of_phi_keeps_the_ends_of_every_stretch():
     stretch = np.zeros(100)
-    stretch[[20, 70]] = -1.0, 1.0  # the ends of the stretch are not peaks
+    stretch[[20, 70]] = -1.0, 1.0  # The first and the last value of the stretch are not peaks.
     kept = thinned(np.tile(stretch, 10), 10)
     assert kept.tolist() == [start + at for start in range(0, 1000, 100) for at in (0, 20, 70, 99)]
 
 
-def test_thinned_values_keep_both_neighbouring_dips():
+def test_thinned_curve_of_phi_keeps_two_minima_close_together():
     assert {2, 5} <= set(thinned(np.array([0, 0, -1, 0, 0, -2, 0, 0, 0, 0, 0]), 2).tolist())
 
 
@@ -90,7 +90,7 @@ def test_rows_closer_than_pixels_are_drawn_once():
     assert not {499, 500} & set(everything.tolist()) and len(everything) == 99_997
     kept = distinct(points, everything, cells=200, most=5000)
     assert len(kept) <= 1000 and (np.diff(kept) > 0).all()
-    # Every segment has a drawn segment within the size of a cell.
+    # For every segment, a segment at most one cell away is drawn.
     cell = 100.0 / 200
     a, b = points[kept], points[kept + 1]
     for i in (1, 777, 50_001, 99_997):
@@ -98,7 +98,7 @@ def test_rows_closer_than_pixels_are_drawn_once():
         assert (np.abs(np.sort([a, b], axis=0) - ends[:, None]).max(axis=(0, 2)) <= cell).any()
 
 
-def test_short_polyline_is_whole_and_long_one_is_reduced():
+def test_number_of_drawn_segments_of_long_polylines_is_limited():
     points = np.random.default_rng(0).uniform(size=(3001, 3))
     everything = np.arange(3000)
     assert distinct(points, everything, cells=200, most=3000).tolist() == list(range(3000))
@@ -110,7 +110,7 @@ def test_only_points_near_the_window_are_drawn():
     assert overlapping(points, np.array([11, 5]), np.array([13, 12])).tolist() == [1, 5]
 
 
-def test_area_with_the_largest_phi_is_the_proof_of_loops():
+def test_area_with_the_largest_phi_is_shown_for_nested_loops():
     rows = [("G0", {"Z": 5.0, "X": 0.0, "Y": 60.0}), ("G1", {"Z": 0.0})]
     for row in range(20):
         rows += [("G1", {"X": 500.0 * (row % 2 == 0)}), ("G1", {"Y": 62.0 + 2 * row})]

@@ -49,8 +49,8 @@ def test_v_of_nearly_closed_contour_has_no_direction():
 
 def test_gauss_image_of_a_contour_turns_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
-    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # the direction of V_k does not change
-    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # V_k turns back and forth
+    assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # The direction of V_k does not change.
+    assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # V_k turns back and forth.
 
 
 def test_direction_of_v_k_turns_only_for_outward_loops():
@@ -67,7 +67,7 @@ def test_direction_of_v_k_turns_only_for_outward_loops():
 def test_theta_range_begins_with_the_first_direction():
     """V_k first points up, and then turns to the left or right."""
     assert np.degrees(verdict([(0, 0), (0, 30), (-30, 30)]).theta_range) == pytest.approx((90, 135))
-    assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # V_k turns by an eighth of a turn
+    assert verdict([(0, 0), (0, 30), (-30, 30)]).sense == "ccw"  # V_k turns by an eighth of a full turn.
     assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
 
 
@@ -78,8 +78,8 @@ def test_small_turn_of_v_k_back_and_forth_has_no_sense():
 
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
 def test_gauss_image_that_turns_back_by_one_percent_has_no_sense(share, sense):
-    """The direction of V_k turns by two radians in total. On its way, it turns back by `share` of the whole way."""
-    back = 2 * share / (1 - 2 * share)  # the whole way is 2 + 2 * back
+    """The direction of V_k turns by two radians in total. Of the sum of all its turns, `share` is a turn back."""
+    back = 2 * share / (1 - 2 * share)  # The angles add up to 2 + 2 * back, in rad.
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]
     found = verdict([(0, 0), *((20 * np.cos(angle), 20 * np.sin(angle)) for angle in angles)])
     assert found.sense == sense

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Closed loops in a path, and the turns of a winding."""
+"""Closed loops in a path, and the full turns of a spiral or helix."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def areas_of(*strokes):
 
 
 def loops_of(*strokes):
-    """Return the number of moves before each loop, and the number of moves in the loop."""
+    """Return (number of moves before the loop, number of moves in the loop) for each loop."""
     first, end = areas_of(*strokes).loops
     return list(zip(first.tolist(), (end - first).tolist()))
 
@@ -33,7 +33,7 @@ def test_each_of_linked_offsets_is_a_loop():
     assert loops_of(linked(*(polygon(side, clockwise=True) for side in sides))) == [(0, 4), (5, 4), (10, 4), (15, 4)]
 
 
-def test_lifted_loops_are_found_in_own_areas():
+def test_loops_with_a_lift_between_them_are_found_separately():
     assert loops_of(polygon(40), polygon(36), polygon(40)) == [(0, 4), (4, 4), (8, 4)]
     # A loop that is cut again later counts as a second loop and does not make the first loop longer.
     assert loops_of(polygon(40), [(0, 0, 0), (9, 0, 0)], polygon(40)) == [(0, 4), (5, 4)]
@@ -63,7 +63,10 @@ def test_nearly_closed_loop_is_found_anywhere_in_the_path(gap, is_one):
 @pytest.mark.parametrize("degrees", range(0, 360, 15))
 @pytest.mark.parametrize("tip", [30, 10])
 def test_lead_in_and_out_does_not_change_loop_count(tip, degrees):
-    """The path turns by half a turn at the lead's tip. The number of loops must not depend on the sign of this turn."""
+    """The path ends where it begins, at the tip of the lead, where it reverses.
+
+    The sign of this half-turn must not matter.
+    """
     around = [(20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     path = np.array([(tip, 0), (20, 0), *around, *around, (tip, 0)])
     angle = np.radians(degrees)
@@ -85,7 +88,7 @@ def test_return_to_the_start_without_full_turn_is_not_a_loop():
     ]
     assert loops_of([(20 * (k % 2), 0.0, 0.0) for k in range(12)]) == []
     assert loops_of(eight) == [(0, 4), (4, 4)]
-    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # the path has one loop in each direction
+    assert loops_of([*eight[:5], *reversed(eight[:4])]) == [(0, 4), (4, 4)]  # The path has one loop in each direction.
 
 
 def contoured(count, notches=0):
@@ -105,7 +108,7 @@ def contoured(count, notches=0):
 def test_contour_through_zigzag_start_is_the_loop(count):
     path, rows, around = contoured(count)
     assert loops_of(path) == [(rows, around)]
-    # The result is the same after another loop.
+    # A separate loop before the path does not change which loop is found in the path.
     assert loops_of(polygon(40), path) == [(0, 4), (4 + rows, around)]
 
 
@@ -115,7 +118,7 @@ def test_small_loops_inside_a_zigzag_do_not_hide_the_contour():
     def little(x, y, up):
         return [(x, y, 0.0), (x + 4, y, 0.0), (x + 4, y + up, 0.0), (x, y + up, 0.0), (x, y, 0.0)]
 
-    # Two rows to the right each get a loop on both sides, so the total turning of the zigzag is unchanged.
+    # Two rows in the +X direction get one loop to the left and one to the right, so the sum of the turns is unchanged.
     first, second = ([*little(20.0, y, 1.0), *little(30.0, y, -1.0)] for y in (6.0, 12.0))
     assert loops_of([*path[:5], *first, *path[5:9], *second, *path[9:]]) == [(rows + 20, around)]
 
@@ -126,25 +129,25 @@ def test_two_rows_and_the_return_are_one_loop():
 
 
 @pytest.mark.parametrize("notches, is_the_loop", [(1, True), (3, False)])
-def test_wavy_contour_does_not_replace_rows(notches, is_the_loop):
+def test_rows_stay_rows_if_a_wavy_contour_follows_them(notches, is_the_loop):
     """Ten rows turn by four turns more than a loop, and each notch of the contour adds one turn."""
     path, rows, around = contoured(10, notches)
     assert (loops_of(path)[0] == (rows, around)) is is_the_loop
 
 
 @pytest.mark.parametrize("first, last, sense", [(10, 10, 1), (2, 26, 1), (26, 2, -1)])
-def test_winding_turns_begin_at_full_turns_of_phi(first, last, sense):
+def test_turns_of_a_spiral_or_helix_begin_at_full_turns_of_phi(first, last, sense):
     points = winding(first, last, 5, drop=3.0)
     areas = areas_of([(x, sense * y, z) for x, y, z in points])
     turns = winding_turns(areas, np.array([0]), np.array([len(areas)]), np.array([float(sense)]))
     assert turns[:4].tolist() == pytest.approx([36, 72, 108, 144], abs=3)
-    # the last move of a spiral may be the first move of another turn
+    # The last move of a spiral can be the first move of a further turn.
     round_again = 2 * np.pi * np.arange(1, len(turns) + 1)
     assert (sense * areas.phi[turns] >= round_again - 1e-6).all() and (sense * areas.phi[turns - 1] < round_again).all()
 
 
 @pytest.mark.parametrize("first, second", [(3, 4), (4, 3)])
-def test_full_turns_of_each_winding_are_counted_separately(first, second):
+def test_full_turns_of_two_spirals_are_counted_separately(first, second):
     up, down = winding(10, 10, first, drop=2.0), [(x, -y, z) for x, y, z in winding(8, 8, second, drop=2.0)]
     areas = areas_of([(0, 0, 0), (50, 0, 0), (50, 5, 0), (0, 5, 0)], up, down)
     turns = winding_turns(areas, areas.start[1:], areas.end[1:], np.array([1.0, -1.0]))
@@ -155,8 +158,8 @@ def test_full_turns_of_each_winding_are_counted_separately(first, second):
     )
 
 
-def test_turn_that_swings_back_and_forth_is_counted_once():
-    """A wavy contour passes the same direction several times in each turn."""
+def test_turn_of_a_wavy_spiral_is_counted_once():
+    """A wavy spiral has the same direction at several places of each turn."""
     angles = np.arange(0, 4 * 2 * np.pi, 0.1)
     radius = 20 + 3 * np.cos(7 * angles) + angles
     areas = areas_of(list(zip(radius * np.cos(angles), radius * np.sin(angles), np.zeros(len(angles)))))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines in the picture of the method: arcs in chords, and distinct segments."""
+"""The lines of the Gauss map: arcs are drawn with chords, and segments that look alike are drawn once."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vkworkbench.core.paper import monotonous_areas
 from vkworkbench.core.paper.picture import distinct, image_arcs, links, outline, proof
 
 
-def test_strokes_and_links_join_at_their_ends():
+def test_links_in_the_picture_join_the_ends_of_strokes():
     strokes = [[(0.0, 0.0, -1.0), (30.0, 10.0, -1.0)], [(5.0, 50.0, -1.0), (5.0, 60.0, -1.0), (45.0, 40.0, -1.0)]]
     areas = monotonous_areas(linearize(programs.program(strokes)))
     gap = (np.nan, np.nan)
@@ -21,7 +21,7 @@ def test_strokes_and_links_join_at_their_ends():
     np.testing.assert_array_equal(links(areas), [first[-1], second[0], gap])
 
 
-def test_arc_of_the_image_has_chords_of_at_most_four_degrees():
+def test_arc_of_gauss_image_has_chords_of_at_most_four_degrees():
     """An arc of ten degrees has three chords, between both radii. Half a turn has no sense, and is not drawn."""
     angle = np.radians([20, 30, 28, 208])
     left, right = image_arcs(angle, np.array([1.0, 0.7, 0.9, 0.9]))
@@ -52,8 +52,8 @@ def rows(count, apart, at):
 
 
 @pytest.mark.parametrize("at", [0.0, 300.0, -300.0])
-def test_first_of_the_rows_in_a_row_of_cells_is_drawn(at):
-    """Ninety rows lie on ten cells of 1 mm, or on five cells if at most six rows may be drawn."""
+def test_first_of_the_rows_that_share_a_cell_is_drawn(at):
+    """Ninety rows lie in ten cells of 1 mm, or in five cells of 2 mm if the limit is six drawn rows."""
     points, segments = rows(90, 0.11, at)
     for most, cell in ((20, 1), (6, 2)):
         cells = (np.arange(90) * 0.11 / cell).astype(int)
@@ -72,7 +72,7 @@ def test_number_of_drawn_strokes_is_limited():
 
 
 def test_rays_to_both_sides_of_a_common_start_are_distinct():
-    """A star is drawn on cells of 1 mm. Rays that end left and right of the centre are different rays."""
+    """A star is drawn in cells of 1 mm. Rays that end left and right of the centre are drawn separately."""
     ends = [(-10, -10), (-0.4, 0), (0.4, 0), (10, 10), (10, 10)]
     points = np.array([point for end in ends for point in ((0.0, 0.0), end)], float)
     assert distinct(points, 2 * np.arange(5), cells=20, most=4).tolist() == [0, 2, 4, 6]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The working plane of a toolpath."""
+"""The working plane of a toolpath: XY, or a vertical plane that contains all cuts."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_slopes_in_a_vertical_plane_have_this_plane(along, found, count):
 
 def test_slot_with_plunges_lies_in_horizontal_plane():
     assert plane([(0, 7, 0), (0, 7, -1), (40, 7, -1), (40, 7, -2), (0, 7, -2)]) == XY
-    # Moves within rounding of level and of vertical do not matter.
+    # Moves that are horizontal or vertical except for rounding do not change the plane.
     assert plane([(0, 7, 0), (0.001, 7, -1), (40, 7, -1.001), (40, 7, -2), (0, 7, -2)]) == XY
 
 
@@ -47,7 +47,7 @@ def test_rapids_do_not_affect_the_plane():
 
 @pytest.mark.parametrize("place", [0, 1, 99, 100, 200])
 def test_point_outside_a_vertical_plane_makes_the_plane_xy(place):
-    """The search first samples the moves of a long path, but the moves between the samples and both ends count, too."""
+    """For a long path, a sample of the moves is tested first. A point between the samples or at an end also matters."""
     points = waves(200)
     points[place, 1] += 1
     assert plane(points) == XY

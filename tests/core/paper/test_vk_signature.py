@@ -16,7 +16,7 @@ def chain(*vectors):
 
 
 @pytest.mark.parametrize("first, second", [(0.0, PI / 2), (0.3, 1.0), (-1.0, 0.5)])
-def test_phi_of_the_zigzag_in_section_3_2_is_the_papers(first, second):
+def test_phi_of_the_zigzag_in_section_3_2_equals_the_papers_phi(first, second):
     pattern = [(40, first), (2, second), (40, first + PI), (2, second)]
     result = signature(chain(*pattern, (40, first)))
     expected = [0, second - first, PI, second - first, 0]
@@ -31,7 +31,7 @@ def test_phi_of_the_zigzag_in_section_3_2_is_the_papers(first, second):
 @pytest.mark.parametrize("sides", [3, 4, 7, 100])
 def test_closed_polygon_turns_by_two_pi(sides, sense):
     angles = sense * 2 * PI * np.arange(sides + 2) / sides
-    polygon = np.column_stack([np.cos(angles), np.sin(angles)])  # the first side is repeated at the end
+    polygon = np.column_stack([np.cos(angles), np.sin(angles)])  # The first side is repeated at the end.
     result = signature(polygon)
     assert result.phi[-1] == pytest.approx(sense * 2 * PI, abs=1e-9)
     assert result.level.tolist() == [0] * sides + [sense]
@@ -48,7 +48,7 @@ def test_polyline_is_closed_within_a_millionth_of_its_size(gap, closed):
     assert found.total_turning == pytest.approx(2 * PI if closed else 3 * PI / 2)
 
 
-def test_each_nested_square_adds_one_level():
+def test_each_nested_square_adds_one_full_turn_to_phi():
     corners = np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)], float)
     spiral = np.vstack([corners * size for size in (40, 30, 20, 10)])
     result = signature(spiral)
@@ -60,7 +60,7 @@ def test_theta_jumps_back_while_its_level_rises():
     """On a square spiral from its middle, n counts the turns of phi, and theta jumps from pi to -pi."""
     spiral = [(0, 0), (1, 0), (1, 1), (-1, 1), (-1, -1), (2, -1), (2, 2), (-2, 2), (-2, -2)]
     result = signature(spiral)
-    image = np.arctan2(-1, 2) / PI  # direction of (2, -1)
+    image = np.arctan2(-1, 2) / PI  # The direction of the vector (2, -1), in units of pi.
     assert result.phi / PI == pytest.approx(np.arange(8) / 2)
     assert result.level.tolist() == [0] * 4 + [1] * 4
     assert result.theta / PI == pytest.approx([0, 0.25, 0.75, -0.75, image, 0.25, 0.75, -0.75])
@@ -75,7 +75,7 @@ def test_phi_range_of_an_l_shape_depends_on_its_start(first, extent):
     assert result.total_turning == pytest.approx(2 * PI)
 
 
-def test_clockwise_zigzag_stays_on_level_0():
+def test_phi_of_a_clockwise_zigzag_makes_no_full_turn():
     result = signature(chain(*[(40, 0), (2, -PI / 2), (40, PI), (2, -PI / 2)] * 5))
     assert result.phi.min() == pytest.approx(-PI)
     assert set(result.level.tolist()) == {0}
@@ -92,7 +92,7 @@ def test_exact_reversals_are_listed_and_do_not_add_turns():
 def test_exact_reversal_brings_phi_back_toward_zero(sense):
     """After a quarter turn and a straight move, the path returns on the same line.
 
-    Phi ends a quarter turn on the other side.
+    Phi changes by half a turn, from a quarter turn in one sense to a quarter turn in the other sense.
     """
     there_and_back = np.array([(0, 0), (10, 0), (10, 10), (10, 20), (10, 10), (10, 0)], float)
     assert signature(there_and_back * [1, sense]).phi / PI == pytest.approx(sense * np.array([0, 0.5, 0.5, -0.5, -0.5]))
@@ -109,8 +109,8 @@ def test_trajectories_without_length_do_not_turn():
 
 
 @pytest.mark.parametrize("aside, carried", [((3e-10, 4e-10), True), ((0.0, 1e-8), False), ((1e-8, 0.0), False)])
-def test_v_k_back_at_the_first_point_keeps_its_direction(aside, carried):
-    """A millionth of a micrometre counts as rounding."""
+def test_v_k_of_length_zero_keeps_the_direction_before(aside, carried):
+    """A length of V_k below a millionth of a micrometre counts as zero."""
     x, y = aside
     theta = signature(np.array([(0, 0), (-3, 0), (-3, -3), (x, y), (5, 0)], float)).theta
     before, back = -3 * PI / 4, np.arctan2(y, x)

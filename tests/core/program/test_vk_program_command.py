@@ -29,7 +29,7 @@ from vkworkbench.program.analysis import analyze_file
 ROOT = Path(__file__).resolve().parents[3]
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
 PROGRAM = f"(T1 D=6. CR=0. - flat end mill)\nG21\n(Face)\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nM30\n"
-NAMES = "abcd"  # names of files without suffix; b.nc is not text
+NAMES = "abcd"  # These are the names of the files without their suffix. The file b.nc is not text.
 LONG = "G0 X0 Y0 Z5\nG1 Z-1 F600\n" + "X1\nX2\n" * 200_000
 
 
@@ -43,7 +43,7 @@ def folder(tmp_path):
     return folder
 
 
-# In the processes that analyse programs, one file is never opened, like on a server that does not answer.
+# This code makes the opening of the file endless.nc wait forever, as on a file server that does not answer.
 NEVER_OPENS = """
 import builtins, time
 opened = builtins.open
@@ -156,7 +156,7 @@ def test_resume_option_continues_where_the_last_run_stopped(folder, tmp_path, ki
         assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
         again = int(done.stderr.splitlines()[-1].split(" in ")[1].split()[0])
         complete = whole[:cut].count(b"\n") - (kind == "--csv")
-        assert again == len(NAMES) - max(complete - 1, 0)  # the last complete program may have more rows
+        assert again == len(NAMES) - max(complete - 1, 0)  # The last complete program may have more rows.
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
@@ -182,7 +182,7 @@ def test_options_jobs_and_timeout_are_parsed():
     assert command_line._parser().parse_args(["a.nc"]).timeout == 600.0
 
 
-def test_results_stay_if_scheduler_is_missing(folder, tmp_path, inside, monkeypatch):
+def test_existing_results_are_kept_if_dask_is_missing(folder, tmp_path, inside, monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     results = tmp_path / "results.csv"
     results.write_text("a,b\n1,2\n")
@@ -233,7 +233,7 @@ def test_results_do_not_overwrite_a_program(tmp_path, kind, inside):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_results_stay_if_there_are_no_programs(folder, tmp_path, kind, inside):
+def test_existing_results_are_kept_if_there_are_no_programs(folder, tmp_path, kind, inside):
     (tmp_path / "empty").mkdir()
     out = tmp_path / "out"
     inside(folder, kind, out)
@@ -243,7 +243,7 @@ def test_results_stay_if_there_are_no_programs(folder, tmp_path, kind, inside):
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_unreadable_file_before_a_stop_still_counts(folder, tmp_path, kind, inside):
+def test_file_that_was_unreadable_before_resuming_still_counts(folder, tmp_path, kind, inside):
     arguments = folder / "b.nc", folder / "a.nc", kind, tmp_path / "out", "--jobs", 1
     assert inside(*arguments).returncode == 1
     done = inside(*arguments, "--resume")
@@ -253,7 +253,7 @@ def test_unreadable_file_before_a_stop_still_counts(folder, tmp_path, kind, insi
 
 
 class AtOnce(Executor):
-    """An executor whose results are ready before it is asked."""
+    """An executor whose futures are already done when `submit` returns."""
 
     def submit(self, function, /, *arguments):
         future = Future()
@@ -328,13 +328,13 @@ def test_program_table_is_printed_before_next_program_is_read(tmp_path, monkeypa
         return analyze_file(path, chosen)
 
     monkeypatch.setattr(command_line, "analyze_apart", read)
-    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # the output is buffered, as for a pipe
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written))  # The output is buffered, as for a pipe.
     assert main([str(tmp_path), "--jobs", "1"]) == 0
     assert b"zigzag" in seen[1]
 
 
 @pytest.mark.long
-def test_endless_program_does_not_affect_other_programs(folder, tmp_path, endless):
+def test_program_that_never_opens_does_not_affect_other_programs(folder, tmp_path, endless):
     done = run(folder, endless, "--csv", tmp_path / "out.csv", "--timeout", "20", "--jobs", 2)
     errors = {Path(row["document"]).name: row["error"] for row in rows_of(tmp_path / "out.csv")}
     assert errors.pop("endless.nc") == "The analysis was stopped after 20 s."
@@ -369,7 +369,8 @@ def test_process_that_dies_affects_only_its_program(tmp_path):
 @pytest.mark.long
 def test_ctrl_c_ends_the_command_and_all_its_processes(folder, tmp_path, endless):
     out = tmp_path / "out.csv"
-    heard = ["env", "--default-signal=INT"]  # background jobs of a shell, and so these tests, may ignore SIGINT
+    # The tests possibly run as a background job of a shell, which ignores SIGINT.
+    heard = ["env", "--default-signal=INT"]
     started = [*heard, *command(folder, endless, "--csv", out, "--jobs", 2)]
     process = subprocess.Popen(started, cwd=ROOT, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 60
@@ -462,7 +463,7 @@ FULL = "vkworkbench: cannot write the standard output: No space left on device\n
 
 @pytest.mark.parametrize("kind", [(), ("--csv", "-"), ("--json-lines", "-")])
 def test_full_output_is_reported_in_one_line(folder, kind, inside, monkeypatch):
-    with open("/dev/full", "w", encoding="utf-8") as full:  # closing the file writes the rest of its buffer
+    with open("/dev/full", "w", encoding="utf-8") as full:  # Closing the file writes the rest of its buffer.
         monkeypatch.setattr(sys, "stdout", full)
         done = inside(folder / "a.nc", *kind)
     assert (done.returncode, done.stderr) == (2, FULL)
@@ -491,7 +492,7 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
     whole, out = tmp_path / "whole", tmp_path / "out"
     inside(folder, kind, whole)
     size = len(whole.read_bytes())
-    for most in (size - 20, 10):  # the last or the first line does not fit
+    for most in (size - 20, 10):  # The last or the first line does not fit.
         with room_for(most):
             done = inside(folder, kind, out)
         then = "" if kind == "--csv" and most == 10 else "; continue with --resume"
@@ -505,7 +506,8 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
 @pytest.mark.long
 def test_full_disk_ends_the_command_with_one_line(folder, tmp_path):
     out = tmp_path / "out"
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}  # cut-off bytecode would stay
+    # Without this, Python would leave a truncated bytecode file.
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     with room_for(10):
         done = run(folder, "--json-lines", out, "--jobs", 1, env=environment)
     told = f"vkworkbench: cannot write {out}: File too large; continue with --resume\n"
@@ -517,7 +519,7 @@ def test_file_names_outside_utf8_are_accepted(tmp_path, inside):
     (tmp_path / "a.nc").write_text(PROGRAM)
     os.rename(tmp_path / "a.nc", os.fsencode(tmp_path) + b"/fr\xe4sen.nc")
     assert run(tmp_path, "--jobs", 1).returncode == 0
-    for one in (inside, run):  # in the second run, the program is already done
+    for one in (inside, run):  # In the second run, the program is already done.
         assert one(tmp_path, "--json-lines", tmp_path / "out.jsonl", "--resume").returncode == 0
         data = (tmp_path / "out.jsonl").read_bytes()
         assert data.count(b"\n") == 1 and b"/fr\xe4sen.nc" in data
@@ -530,7 +532,7 @@ def scheduler(tmp_path):
     with socket.create_server(("127.0.0.1", 0)) as server:
         try:
             socket.create_connection(server.getsockname(), timeout=10).close()
-        except OSError as error:  # the root folder has no network
+        except OSError as error:  # A changed root folder (chroot) without a network fails here.
             pytest.skip(f"no connection to 127.0.0.1 ({error}): --scheduler is not tested")
     file = tmp_path / "scheduler.json"
     # As on a cluster, the workers import the installed add-on and do not find it by their working folder.

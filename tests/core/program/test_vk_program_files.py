@@ -43,14 +43,15 @@ PROGRAM = (
         (b"\xfe\xff" + "G1 X1".encode("utf-16-be"), "G1 X1"),
         (b"\xef\xbb\xbfG1", "G1"),
         (b"\0\0\0\0%\r\nG1\r\n%\r\n\x1a", "%\r\nG1\r\n%\r\n"),
-        (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # the text ends with a stray control character
-        # the text was captured from a serial line
+        (b"G1 X1\n" * 50 + b"\x07", "G1 X1\n" * 50 + "\x07"),  # The text ends with a stray control character.
+        # The text was captured from a serial line.
         (b"\x12%\r\n\0\0\0G1 X1\0\r\n\x13\x11G1\r\n%\r\n\x14", "%\r\nG1 X1\r\nG1\r\n%\r\n"),
         (101 * b"\0" + 30 * b"\x7f" + b"G1", "G1"),
         ("G1 X1 (ü)\r\n".encode("utf-16-le"), "G1 X1 (ü)\r\n"),
         ("G1 X1 (ü)\r\n".encode("utf-16-be"), "G1 X1 (ü)\r\n"),
         ("G1 X1 (Контур)".encode("utf-16-le"), "G1 X1 (Контур)"),
-        ((300 * "G1 " + "(Ā)").encode("utf-16-le"), 300 * "G1 " + "(Ā)"),  # the second half has one zero byte more
+        # The second half of the text has one more zero byte than the first half.
+        ((300 * "G1 " + "(Ā)").encode("utf-16-le"), 300 * "G1 " + "(Ā)"),
         ("G1 X1".encode("utf-16-le") + b"\x1a", "G1 X1"),
     ],
 )
@@ -230,13 +231,13 @@ def test_argument_that_is_not_a_file_name_is_refused():
         with pytest.raises(ValueError, match="the text of a program is no file: give its path"):
             vkworkbench.analyze(text)
     with pytest.raises(ValueError, match=r"one with backslashes is written r'C:\\new\.nc'"):
-        vkworkbench.analyze("C:\new.nc")  # in this text, \n is a line break
+        vkworkbench.analyze("C:\new.nc")  # In this string, the two characters \n are a line break.
     assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 
 
 class NoFreeCAD:
-    """An import hook that finds no FreeCAD, even if FreeCAD is installed."""
+    """An import hook that makes `import FreeCAD` fail, even if FreeCAD is installed."""
 
     @staticmethod
     def find_spec(name, *_):
@@ -420,7 +421,8 @@ def test_program_for_another_machine_has_no_strategy(tmp_path, text, error):
     (row,) = vkworkbench.analyze(path).operations
     assert str(row.strategy) == "unknown" and row.error.startswith(error) and row.reason.startswith(error)
     assert row.estimate is None and row.confidence == 0
-    line = str(vkworkbench.analyze(path)).splitlines()[2]  # length and time are unknown, and not 0
+    # The length and the time of the program are unknown, and not 0.
+    line = str(vkworkbench.analyze(path)).splitlines()[2]
     assert " 0 m" not in line and line.split("%")[1].split()[1:5] == ["?"] * 4
 
 
@@ -470,7 +472,8 @@ def test_tool_of_inches_without_g20_is_in_inches(tmp_path, monkeypatch):
     path = tmp_path / "inch.nc"
     path.write_text(f"(T1 D=0.5 - end mill)\nT1 M6\nG0 X1 Y1 Z.5\nG1 Z-.1 F20\n{rings}G0 Z.5\n")
     (row,) = analyze_file(path, Preferences())
-    assert str(row.strategy) == "contour-parallel"  # the rings are 0.3 inches apart, and the tool has half an inch
+    # The rings are 0.3 inches apart, and the tool's diameter is half an inch.
+    assert str(row.strategy) == "contour-parallel"
     assert told == [pytest.approx(12.7)]
 
 
@@ -508,7 +511,7 @@ def test_only_program_without_titles_is_divided_by_motion(tmp_path):
     assert "mixed" not in [str(row.strategy) for row in vkworkbench.analyze(path).operations]
 
 
-def test_image_of_program_follows_time_and_finest_passes(tmp_path):
+def test_advised_image_size_fits_time_limit_and_finest_passes(tmp_path):
     fine, coarse = (f"({title})\nG0 X0 Y0\nG1 Z-1 F600\n{rows}G0 Z5\n" for title, rows in (
         ("Fine", ROWS), ("Coarse", "".join(f"G1 X{40 * (k % 2)}\nY{3 * k + 3}\n" for k in range(12)))
     ))  # fmt: skip
@@ -524,7 +527,7 @@ def test_image_of_program_follows_time_and_finest_passes(tmp_path):
 
 
 @pytest.mark.parametrize(("place", "said"), [("Y{}000", True), ("Y{}000.5", False)])
-def test_thousandths_without_a_decimal_point_are_noticed(tmp_path, place, said):
+def test_coordinates_in_thousandths_without_a_point_are_noticed(tmp_path, place, said):
     rows = "".join(f"G1 X{40000 * (k % 2)}\n{place.format(k + 1)}\n" for k in range(20))
     path = tmp_path / "increments.nc"
     path.write_text(f"G21\n(T1 D=6 - end mill)\nT1 M6\nG0 X0 Y0 Z5000\nG1 Z-1000 F600\n{rows}G0 Z5000\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The progress of the command line, and its remaining time."""
+"""The progress and the remaining time that the command line prints."""
 
 import io
 import re
@@ -16,7 +16,7 @@ class Terminal(io.StringIO):
 
 @pytest.fixture
 def clock(monkeypatch):
-    """Return a clock whose time the test sets."""
+    """Replace the clock of the progress display, and return a list with its time, which the test changes."""
     now = [100.0]
     monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     return now
@@ -33,7 +33,7 @@ def test_progress_in_a_terminal_is_one_changing_line(clock, paths):
     stream = Terminal()
     told = progress.Progress(paths, stream)
     clock[0] += 10.0
-    told.add(paths[0])  # 10 kB of 50 kB are done, including a constant for each file
+    told.add(paths[0])  # 10 kB of 50 kB are done; the sizes include a constant for each file.
     clock[0] += 0.01
     told.add(paths[1])
     assert re.findall(r"\r\x1b\[K([^\r\n]*)", stream.getvalue()) == ["1 of 3 files, 40 s left"]

@@ -34,7 +34,7 @@ X30 Y15
 G0 Z5
 M30
 """
-CRASH = 12  # number of the program line with the rapid through the floor
+CRASH = 12  # Number of the program line with the rapid that cuts into the floor.
 
 
 @pytest.fixture
@@ -149,7 +149,7 @@ def test_simulate_command_prints_facts_and_saves_files(program, tmp_path):
         (["--simulate", "--stl", "/nowhere/a.stl"], "cannot write /nowhere/a.stl"),
     ],
 )
-def test_impossible_options_are_refused(program, options, why, capsys):
+def test_impossible_options_of_the_simulation_are_refused(program, options, why, capsys):
     try:
         assert main([str(program), *options]) == 2
     except SystemExit as end:

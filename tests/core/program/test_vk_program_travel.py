@@ -28,7 +28,7 @@ M30
 
 @pytest.fixture
 def told(tmp_path):
-    """Return a function that returns the remarks on a given travel, by operation."""
+    """Return a function that takes the machine's travel and returns the remarks on exceeded travel, by operation."""
     path = tmp_path / "part.nc"
     path.write_text(PROGRAM)
 

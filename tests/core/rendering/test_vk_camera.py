@@ -48,10 +48,10 @@ def test_image_stays_upright_near_the_vertical_view():
     assert b.right == pytest.approx(a.right, abs=2e-3) and b.up == pytest.approx(a.up, abs=2e-3)
     assert turned(direction_of((3e-8, -4e-8, 0, 1)), 0, 0) == pytest.approx(
         turned((0, 0, -1), 0, 0)
-    )  # the direction has the rounding error of a camera
+    )  # The direction has the rounding error of a direction from a camera.
     steep = turned((0, 0, -1), 0, -9.0)
     assert steep[2] > -1 and np.isfinite(View(steep).frame(STOCK).right).all()
-    over = turned((0, 1, -1), 0, -9.0)  # the rotation stops before the part would be upside down
+    over = turned((0, 1, -1), 0, -9.0)  # The rotation stops before the part would be upside down.
     assert over[1:] == pytest.approx((1e-3, -1), abs=1e-5)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of a field from any direction, compared with the exact z-buffer of the same view."""
+"""Pictures of a height field from any direction, compared with a z-buffer simulated in this direction."""
 
 from __future__ import annotations
 
@@ -75,14 +75,17 @@ DIRECTIONS = [
 
 @lru_cache(maxsize=None)
 def field(name, step=None):
-    """Return the field of a job, with about one cell for each pixel of the pictures."""
+    """Return the height field of a simulated job, with about one cell for each pixel of the pictures."""
     stock, cuts = JOBS[name]
     done = simulate_job(cuts, stock=stock, view=View(width=WIDTH, height=HEIGHT))
     return Field(done if step is None else done.at(step))
 
 
 def around(values, extreme):
-    """Return the extreme of each pixel and its eight neighbours. The extreme function may ignore NaN."""
+    """Return the maximum or minimum of each pixel and its eight neighbours.
+
+    `extreme` is np.maximum or np.minimum, or np.fmax or np.fmin to ignore NaN.
+    """
     padded = np.pad(values, 1, mode="edge")
     height, width = values.shape
     return extreme.reduce([padded[y : y + height, x : x + width] for y, x in product(range(3), repeat=2)])
@@ -129,7 +132,7 @@ def test_zoomed_and_panned_pictures_agree_with_the_z_buffer(name):
         stock, _ = JOBS[name]
         pixel = View(direction, WIDTH, HEIGHT).frame(stock).pixel
         outline, operation, depth = agreement(name, View(direction, WIDTH, HEIGHT, pixel / 3, offset))
-        assert outline > 0.98 and operation > 0.97 and depth > 0.97  # a cell is three pixels wide
+        assert outline > 0.98 and operation > 0.97 and depth > 0.97  # A cell is three pixels wide.
         outline, operation, depth = agreement(name, View(direction, WIDTH, HEIGHT, 2 * pixel, offset))
         assert outline > 0.995 and operation > 0.98 and depth > 0.98
 

@@ -45,7 +45,7 @@ def test_first_row_of_cell_colours_is_the_lowest_row():
     colors[:20], colors[20:] = RED, GREEN
     image = drawn(colors).image
     assert is_like(image[22:38, 4:-4], RED).all() and is_like(image[2:18, 4:-4], GREEN).all()
-    assert (colors[:20] == RED).all()  # the array of the caller is not changed
+    assert (colors[:20] == RED).all()  # Drawing does not change the array of the caller.
     oblique = drawn(colors, (0, 1, -1)).image
     assert is_like(oblique[-3:, 20:60], RED).all() and is_like(oblique[:3, 20:60], GREEN).all()
 
@@ -61,7 +61,7 @@ def test_chips_in_front_of_the_part_have_their_own_colour():
     assert not is_like(alone.image[::-1][higher], RED).any()
 
 
-def test_chips_without_the_part_are_as_thick_as_the_cut():
+def test_chips_shown_alone_are_as_thick_as_the_cut():
     front = drawn(palette(RED), (0, 1, 0), chips=(0, 2), part=False)
     rows = np.flatnonzero(~np.isnan(front.depth).all(axis=1))
     assert len(rows) * View((0, 1, 0), 80, 40).frame(STOCK).pixel == pytest.approx(2, abs=0.5)
@@ -81,7 +81,8 @@ def test_highlighted_surfaces_have_the_highlight_colour(direction):
         differs = (shown.image != before.image).any(axis=-1)
         assert differs[marked].all() and not differs[~marked].any()
         image = shown.image.astype(int)
-        assert (image[marked][:, 1] > 0.6 * image[marked][:, 0]).all()  # the colour LIT has more green than red has
+        # The highlight colour LIT has more green than the colour RED.
+        assert (image[marked][:, 1] > 0.6 * image[marked][:, 0]).all()
 
 
 def test_floor_of_a_pocket_is_in_shadow_beside_its_walls():
@@ -91,7 +92,8 @@ def test_floor_of_a_pocket_is_in_shadow_beside_its_walls():
 
 def test_differences_are_coloured_up_to_ten_tolerances():
     left, gouged = np.array([0, 0.1, 0.11, 5.0, 0, 0, 0, 9.0]), np.array([0, 0, 0, 0, 0.11, 5.0, 0, 0])
-    model = np.array([True] * 6 + [False] * 2)  # the last value is left in a hole
+    # The last value is leftover material in a hole, where the model has no surface.
+    model = np.array([True] * 6 + [False] * 2)
     colors = difference_colors(left, gouged, model, 0.1)
     assert (colors[[0, 1]] == MET).all() and (colors[6] == NO_MODEL).all()
     assert (colors[[3, 7]] == LEFT[-1]).all() and (colors[5] == GOUGED[-1]).all()

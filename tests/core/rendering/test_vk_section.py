@@ -30,7 +30,8 @@ def test_section_shows_the_profile_of_a_slot(slot):
     face = shown.owner == CUT_OPEN
     assert face.sum() * frame.pixel**2 == pytest.approx(60 * 12 - 6 * 7, rel=0.02)
     depth = shown.depth[face]
-    assert np.ptp(depth) < 0.2 and depth.mean() == pytest.approx(0.0, abs=0.1)  # the face is in the middle of the block
+    # The cut face is in the middle of the block.
+    assert np.ptp(depth) < 0.2 and depth.mean() == pytest.approx(0.0, abs=0.1)
 
 
 @pytest.mark.parametrize("hides_above", [True, False])
@@ -44,7 +45,7 @@ def test_level_section_fills_the_cut_material(slot, hides_above):
         assert np.abs(points[:, 2] - height).max() < 1e-3
 
 
-def test_section_beyond_the_part_changes_nothing(slot):
+def test_section_plane_beyond_the_part_keeps_the_picture(slot):
     whole, _ = drawn(slot, (-1, 1, -1))
     for section in (Section(0, 70.0, True), Section(1, -5.0, False), Section(2, 15.0, True)):
         shown, _ = drawn(slot, (-1, 1, -1), section)
@@ -57,7 +58,7 @@ def test_path_is_drawn_as_a_line_without_gaps(slot):
     draw_path(pixels, np.array([(-1000.0, 10.0, 0.0), (1000.0, 30.0, 0.0)]), frame, (1, 2, 3))
     row, column = np.nonzero(pixels)
     assert set(pixels[row, column].tolist()) == {0xFF010203}
-    # the path also covers the columns at the borders of the picture
+    # The path also covers the first and the last column of the picture.
     assert sorted(set(column.tolist())) == list(range(frame.width))
     assert len(column) < 1.1 * frame.width
 

@@ -12,7 +12,10 @@ GREY = (200, 200, 200)
 
 
 def plane(right=0.0, up=0.0, size=(40, 60)):
-    """Return the depths of a plane with pixels of 0.5 mm. `right` and `up` are the slopes towards the eye."""
+    """Return the depth image of a plane with pixels of 0.5 mm.
+
+    `right` and `up` are the slopes of the plane; with positive slopes, the plane comes nearer to the right and upwards.
+    """
     row, column = np.mgrid[: size[0], : size[1]]
     return (100 - 0.5 * (right * column + up * row)).astype(np.float32)
 
@@ -39,7 +42,7 @@ def test_brightness_follows_lamberts_law(right, up):
 
 def test_empty_pixels_have_the_background_colour():
     depth = plane()
-    depth[:10] = np.nan  # the lowest rows of pixels are empty
+    depth[:10] = np.nan  # The lowest rows of pixels are empty.
     image = shade(depth, 0.5, GREY)
     assert (image[-10:] == BACKGROUND).all()
     assert (image[:-10] == image[0, 0]).all()
@@ -70,7 +73,7 @@ def test_sharper_edges_are_darker_up_to_a_limit(change, dark, turned):
     depth = plane(size=(60, 60))
     depth[:, 30:] -= 0.5 * change * np.arange(30, dtype=np.float32)
     image = shade(depth.T if turned else depth, 0.5, GREY)[::-1]
-    # The surface is level left of the edge, or below it.
+    # The surface is level on the left of the edge, or below the edge if the image is transposed.
     edge, level = (image[30, 20], image[10, 20]) if turned else (image[20, 30], image[20, 10])
     assert (level == 200).all() and edge == pytest.approx(200 * (1 - dark), abs=1)
 

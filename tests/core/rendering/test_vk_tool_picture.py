@@ -16,7 +16,7 @@ GREY = np.uint32(0xFF808080)
 
 
 def silhouette(tool, direction, depth=np.nan):
-    """Return the pixels that a tool with its tip at (40, 30, 5) covers, top row first, and the frame."""
+    """Return which pixels a tool with its tip at (40, 30, 5) covers, upper row first, and the frame of the image."""
     frame = View(direction, 800, 600, 0.2).frame(STOCK)
     size = frame.height, frame.width
     owner = np.full(size, -1, np.int32)
@@ -39,7 +39,7 @@ def test_side_view_of_a_tool_has_its_profile(tool, tip_area):
     covered, frame = silhouette(tool, (0, 1, 0))
     assert covered.sum() * frame.pixel**2 == pytest.approx(6 * 30 - tip_area, rel=0.01)
     row, column = np.nonzero(covered)
-    # the tip is at half the height of the picture
+    # The tip is at half the height of the picture.
     assert (row.max() + 1 - frame.height / 2) * frame.pixel == pytest.approx(0, abs=0.3)
     assert (column.min() + column.max() + 1) / 2 == pytest.approx(frame.width / 2, abs=1)
 

@@ -21,7 +21,7 @@ from vkworkbench.report.text_table import printable
 KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
 PARTLY = replace(KNOWN, rapid_seconds=None, left_out=(Message("rapids-not-told", length=20.0),))
 JOB = "Doc", "Job"
-FIRST, SECOND, JOINT = object(), object(), object()  # stand-ins for simulation results
+FIRST, SECOND, JOINT = object(), object(), object()  # These objects replace simulation results.
 
 
 def operation(label, machining=KNOWN, **other):
@@ -38,7 +38,7 @@ def report(*operations, **other):
 
 
 def lines(shown):
-    """Return the lines of a table without its rules: header, operations, totals."""
+    """Return the lines of a printed table without the lines of dashes: header, operations, totals."""
     return [line for line in str(shown).splitlines() if not line.startswith("---")]
 
 
@@ -166,7 +166,7 @@ def test_table_row_ends_with_the_chosen_simulators_cost():
 @pytest.mark.parametrize("seconds, code", [
     (20.0, "more-than-sum"), (5.0, "less-than-sum"), (10.5, None), (9.5, None), (None, None),
 ])  # fmt: skip
-def test_difference_of_a_total_from_the_sum_has_a_reason(seconds, code):
+def test_difference_between_total_cost_and_sum_has_a_reason(seconds, code):
     def costs(seconds):
         return {} if seconds is None else {"legacy": SimpleNamespace(seconds=seconds, memory_bytes=0.0, factor=1.0)}
 
@@ -176,7 +176,7 @@ def test_difference_of_a_total_from_the_sum_has_a_reason(seconds, code):
     assert (found and found.code) == code
 
 
-def test_table_says_why_totals_are_not_sums():
+def test_table_says_why_a_total_differs_from_the_sum():
     one, two, base = (operation(name, setup=setup_of(name, MILL)) for name in ("T1", "T2", "T3"))
     text = str(report(one, two, replace(base, counted=False)))
     assert "\nRows in brackets are not included in the totals" in text and "\n(T3) " in text
@@ -220,7 +220,7 @@ def test_table_lists_contradiction_before_other_remarks():
 
 
 def test_operation_without_moves_has_no_times():
-    """The operation has no question mark for its cost, because a question mark would ask for one."""
+    """The operation has no question mark for its cost, because a question mark would mean that a cost is missing."""
     stop = replace(operation("Stop"), trajectories=0)
     empty = replace(stop.recognition, strategy=Strategy.EMPTY)
     _, idle, other, *_ = lines(report(replace(stop, recognition=empty), stop))
@@ -229,7 +229,7 @@ def test_operation_without_moves_has_no_times():
     assert {"?", "mm"} <= set(other.split()) and clock.search(other)
 
 
-def test_uncounted_operation_is_in_brackets():
+def test_operation_outside_the_totals_is_in_brackets():
     told = report(operation("One"), operation("Dressed", counted=False), operation("Imported", counted=False, job=None))
     assert [line.split()[0] for line in lines(told)[1:4]] == ["One", "(Dressed)", "Imported"]
 
@@ -244,7 +244,7 @@ def test_total_has_the_sums_of_its_operations():
     assert (told["seconds"], told["memory_bytes"], told["incomplete"], told["simulated"]) == (0, 0, True, None)
 
 
-def test_shares_of_spans_have_four_decimals():
+def test_length_shares_of_strategies_have_four_decimals():
     row = operation("One")
     span = Span(0, 9, 0, 9, Strategy.ZIGZAG, 0.123456789)
     told = replace(row, recognition=replace(row.recognition, spans=(span,))).as_dict()["spans"]
@@ -269,11 +269,11 @@ def test_words_are_left_aligned_and_numbers_right_aligned():
         assert line[len(head) - 1] == "?"
 
 
-def test_table_has_a_rule_below_each_heading():
+def test_table_has_a_line_of_dashes_below_each_heading():
     head, rule, _ = table_of([operation("One")], [], "legacy").splitlines()
     assert len(rule.split()) == 8 and len(rule) == len(head.rstrip()) and set(rule) == {"-", " "}
 
 
-def test_cells_of_the_table_stay_on_their_line():
+def test_text_with_line_breaks_stays_on_one_line_of_the_table():
     assert printable("a\nb\r\x1b[31mc\u202e🙂") == "a b [31mc\u202e🙂"
     assert len(printable("x" * 5000)) == 60

@@ -52,10 +52,11 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def test_table_has_a_line_per_operation_and_one_for_the_job():
+def test_simulation_table_has_lines_for_operations_and_the_job():
     header, clean, faulty, job, verdict = str(FOUND).splitlines()
     assert header.split()[0] == "operation"
-    assert clean.split() == ["Fräsen", "12.34", "0.01", "18.51", "30.00", "25%"]  # this operation has no faults
+    # The operation "Fräsen" has no faults.
+    assert clean.split() == ["Fräsen", "12.34", "0.01", "18.51", "30.00", "25%"]
     assert faulty.split() == ["=Pocket", "12.34", "0.01", "18.51", "30.00", "25%", "2", "1", "0.8", "mm", "1.5", "mm"]
     assert job.split() == ["job", *faulty.split()[1:]] and verdict == "Nothing is checked yet."
 
@@ -68,7 +69,7 @@ def test_simulation_remarks_are_below_the_table(tmp_path):
     assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
 
 
-def test_missing_stock_has_its_own_column(tmp_path):
+def test_depth_of_missing_stock_has_its_own_column(tmp_path):
     found = replace(FOUND, job=replace(FAULTY, gouges=(*FAULTY.gouges, fault(depth=4.0, area=1.0))))
     header, _, faulty, job, _ = str(found).splitlines()
     assert header.endswith("gouged    left  stock lacks")
@@ -103,7 +104,7 @@ def test_table_columns_fit_widest_cell():
     header, long, longest, job, _ = str(found).splitlines()
     assert longest.startswith("x" * 59 + "…  ") and long.startswith("A long label")
     assert header.index("removed, cm3") == 60 + 2
-    for line in (long, longest, job):  # numbers end below the end of their heading
+    for line in (long, longest, job):  # Numbers are aligned with the right end of their heading.
         assert line[: header.index("cm3") + 3].endswith("12.34")
 
 
@@ -130,4 +131,5 @@ def test_file_of_trajectories_names_their_operations(tmp_path):
     assert [row["label"] for row in rows] == ["Fräsen", "'=Pocket", "'=Pocket"]
     assert [row["command"] for row in rows] == ["2", "7", "8"] and "cut" not in rows[0]
     assert [float(row["removed_volume"]) for row in rows] == [1.5, 2.5, 0.0]
-    assert [row["rate"] for row in rows] == ["90.0", "", "0.0"]  # with "nan", the column would be text
+    # With the text "nan", spreadsheets would read the column as text.
+    assert [row["rate"] for row in rows] == ["90.0", "", "0.0"]

@@ -16,7 +16,7 @@ from vkworkbench.core.simulators.zbuffer import ZBufferCost
 STOCK = Stock((0, 0, 0), (60, 40, 20))
 ROWS = [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})]
 ROWS += [("G1", {"X": 5.0 + 50 * (i % 4 in (0, 1)), "Y": 5.0 + 2 * ((i + 1) // 2)}) for i in range(20)]
-OWN = Constants(start=0.5, draw=2e-6)  # constants of a measured computer
+OWN = Constants(start=0.5, draw=2e-6)  # These constants stand for the measured speed of a computer.
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +66,7 @@ def test_impossible_number_in_a_stored_cost_is_refused(costs, wrong):
         from_data("legacy", {**data, "constants": {"start": wrong}})
 
 
-def test_stored_0_is_accepted_but_not_a_play_without_speeds(costs):
+def test_stored_0_is_accepted_and_missing_play_times_are_not(costs):
     assert from_data("legacy", {**sent("legacy", costs["legacy"]), "facets": 0}).facets == 0
     with pytest.raises(ValueError, match="no play_seconds"):
         from_data("OpenGL", {**sent("OpenGL", costs["OpenGL"]), "play_seconds": {}})

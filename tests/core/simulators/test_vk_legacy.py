@@ -20,7 +20,7 @@ def cost_of(commands, tool=TOOL, stock=STOCK, accuracy=0.1, **constants):
     return legacy_cost(Task(linearize(commands), tool, stock), accuracy=accuracy, constants=Constants(**constants))
 
 
-def test_comments_take_a_tick_but_show_nothing():
+def test_comments_take_time_in_a_play_but_show_no_mesh():
     bare, noted = cost_of(zigzag(20)), cost_of(zigzag(20) + [("(note)", {})] * 1000)
     assert noted.fast_forward_seconds - bare.fast_forward_seconds == pytest.approx(1000 * Constants().tick)
     assert noted.play_seconds - bare.play_seconds == pytest.approx(1000 / 50)
@@ -31,12 +31,12 @@ def test_fast_forward_makes_one_mesh_of_all_cells():
     assert slow.fast_forward_seconds - usual.fast_forward_seconds == pytest.approx(1e-5 * slow.cells)
 
 
-def test_play_shows_the_uncut_stock_and_every_command():
+def test_play_shows_a_mesh_of_the_stock_and_of_every_command():
     half, one = (cost_of(zigzag(40), redraw=redraw) for redraw in (0.5, 1.0))
     assert one.play_seconds - half.play_seconds == pytest.approx(0.5 * (1 + one.shown))
 
 
-def test_tool_profile_grows_with_its_width_and_height():
+def test_time_for_the_tool_profile_grows_with_width_and_height():
     cone = Tool("vbit", 6.0, tip_angle=math.pi / 2)
     without, with_ = (cost_of(zigzag(2), cone, profile=seconds) for seconds in (0.0, 0.01))
     steps = (3 * 3.0 + 3.0) / (0.05 * 0.1)
@@ -51,17 +51,17 @@ def test_play_shows_the_mesh_as_it_grows():
         return cost.play_seconds / cost.shown, cost.facets
 
     mean, last = mean_facets(surface(), Tool("ballend", 6.0))
-    assert mean == pytest.approx(0.5 * last, rel=0.2)  # the mesh grows row after row
+    assert mean == pytest.approx(0.5 * last, rel=0.2)  # The mesh grows row after row.
     deeper = [("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0})]
     for z in range(19, 5, -1):
         deeper += [("G1", {"Z": float(z)}), ("G2", {"X": 50.0, "Y": 40.0, "I": 15.0, "J": 10.0})]
         deeper += [("G2", {"X": 20.0, "Y": 20.0, "I": -15.0, "J": -10.0})]
     mean, last = mean_facets(deeper)
-    assert mean == pytest.approx(last, rel=0.15)  # the walls of the pocket exist after the first turn
+    assert mean == pytest.approx(last, rel=0.15)  # The walls of the pocket exist after the first turn.
     facing = [("G0", {"X": -5.0, "Y": -5.0, "Z": 10.0})]
     facing += [("G1", {"X": 105.0 if k % 4 in (1, 2) else -5.0, "Y": 5.0 * (k // 2) - 5}) for k in range(1, 30)]
     mean, last = mean_facets(facing)
-    assert last == 12 and mean > 50  # the last mesh is flat
+    assert last == 12 and mean > 50  # The last mesh is flat.
 
 
 def test_grid_has_a_thousand_cells_of_five_bytes_along_a_side():
@@ -73,7 +73,7 @@ def test_grid_has_a_thousand_cells_of_five_bytes_along_a_side():
     assert small.cells == large.cells
 
 
-def test_fast_forward_takes_a_tick_per_command_at_any_accuracy():
+def test_fast_forward_time_per_command_is_equal_at_any_accuracy():
     commands = zigzag(500)
     ticks = len(commands) * Constants().tick
     assert ticks < cost_of(commands, accuracy=1.0).fast_forward_seconds < ticks + 0.5
@@ -101,7 +101,7 @@ def test_drilling_cycle_makes_three_meshes():
     free = dict.fromkeys(("facet", "display", "profile"), 0.0)
     holes = [("G81", {"X": x, "Y": 20.0, "Z": 5.0, "R": 22.0, "F": 5.0}) for x in (30.0, 60.0)]
     cost = cost_of([("G0", {"X": 20.0, "Y": 20.0, "Z": 25.0}), *holes], cell=1e-5, redraw=1.0, **free)
-    # The meshes are the uncut stock, a move and two holes.
+    # Meshes are made for the uncut stock, for the move, and for the two holes.
     assert cost.play_seconds == pytest.approx(1e-5 * cost.cells * (1 + 1 + 2 * 3) + 1.0 * (1 + 3))
 
 
@@ -116,14 +116,15 @@ def test_legacy_simulator_starts_once_for_several_operations():
     assert one.memory_bytes < two.memory_bytes < 2 * one.memory_bytes
 
 
-def test_meshes_of_a_play_include_the_operations_before():
+def test_meshes_in_a_play_include_cuts_of_earlier_operations():
     costs = [
         replace(cost_of(zigzag(rows)), shown=shown, facets=facets)
         for rows, shown, facets in ((4, 10, 100.0), (5, 20, 300.0), (6, 40, 700.0))
     ]
     together, constants = legacy_together(costs), costs[0].constants
     assert together.facets == 1100 and together.shown == 70
-    uncut = constants.cell * costs[0].cells + constants.redraw  # the uncut stock is shown once, and not three times
+    # The uncut stock is shown once for all three operations, and not three times.
+    uncut = constants.cell * costs[0].cells + constants.redraw
     alone = sum(cost.play_seconds for cost in costs) - 2 * uncut
     more = 20 * 100 + 40 * (100 + 300)
     assert together.play_seconds == pytest.approx(alone + (constants.facet + constants.display) * more)

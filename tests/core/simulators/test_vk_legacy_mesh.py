@@ -17,14 +17,14 @@ from vkworkbench.core.simulators.legacy_mesh import bottom_rectangles, mesh_face
 def test_heights_equal_a_search_over_all_points(tool):
     path = linearize([("G1", {"X": 20.0, "Y": 15.0, "Z": 12.0}), ("G1", {"X": 70.0, "Y": 40.0, "Z": 8.0})])
     (heights,), size = heightmaps(path, tool=tool, stock=STOCK)
-    along = np.linspace(0, 1, 500)[:, None]  # points a ninth of a mm apart, which is a ninth of a cell
+    along = np.linspace(0, 1, 500)[:, None]  # The points are a ninth of a mm apart, which is a ninth of a cell.
     points = path.points[0] + along * (path.points[1] - path.points[0])
     x, y = np.meshgrid(
         (np.arange(heights.shape[0]) + 0.5) * size, (np.arange(heights.shape[1]) + 0.5) * size, indexing="ij"
     )
     distance = np.hypot(x[..., None] - points[:, 0], y[..., None] - points[:, 1])
     exact = np.minimum((points[:, 2] + tool.height(distance)).min(axis=2), 20.0)
-    # A map that is shifted by half a cell is wrong by half a cell times the slope of the tool.
+    # The tolerance allows a map shifted by half a cell, whose heights are wrong by half a cell times the tool's slope.
     inside = distance.min(axis=2) < tool.radius - size
     outside = distance.min(axis=2) > tool.radius + 1.5 * size
     assert (heights[outside] == 20.0).all()
@@ -45,19 +45,19 @@ def test_fine_groove_has_no_gaps():
     (heights,), size = heightmaps(linearize(groove), tool=Tool("endmill", 0.6), stock=small)
     x = (np.arange(heights.shape[0]) + 0.5) * size
     along = heights[:, int(3.05 / size)]
-    # The lowest point of the flat tool over each cell: the tool's edge is a radius ahead of its middle.
+    # Over each cell, the lowest position of the flat tool is the position at which the tool's edge is over the cell.
     exact = np.clip(np.abs(x - 5) - 0.3, 0, 2)
     assert np.abs(along - exact)[(x > 2) & (x < 8)].max() < 3 * size
 
 
-def test_needle_cuts_the_cells_along_the_border():
+def test_thin_tool_cuts_the_cells_along_the_edge_of_the_stock():
     small, border = Stock((0, 0, 0), (10, 6, 2)), ((0.05, 0.05), (9.95, 0.05), (9.95, 5.95), (0.05, 5.95), (0.05, 0.05))
     around = [("G0", {"X": 0.05, "Y": 0.05, "Z": 4.0}), *[("G1", {"X": x, "Y": y, "Z": 1.0}) for x, y in border]]
     (heights,), _ = heightmaps(linearize(around), tool=Tool("endmill", 0.1), stock=small)
     assert (heights[1:-1, 1:-1] == 2).all() and (heights == 1).sum() == 2 * (100 + 60) - 4
 
 
-def test_path_outside_the_stock_leaves_a_box():
+def test_path_outside_the_stock_leaves_twelve_triangles_of_a_box():
     path = linearize([("G1", {"X": -50.0, "Y": 500.0, "Z": -5.0}), ("G1", {"X": -900.0})])
     (heights,), size = heightmaps(path, tool=TOOL, stock=STOCK)
     assert (heights == 20.0).all() and mesh_facets(heights, size, 0.1, lower=0.0) == 12
@@ -101,7 +101,7 @@ def test_mirror_image_has_equally_many_triangles():
     ],
 )
 def test_step_beside_another_step_is_a_slope(steps, slope):
-    """At half the cell size, a slope has four times as many triangles more than a box, and a wall twice as many."""
+    """Half the cell size makes four times as many triangles for a slope, and twice as many for a wall."""
     heights = np.tile(np.cumsum([0.0, 0.0, *steps, 0.0, 0.0])[:, None], 6)
     coarse, fine = (mesh_facets(heights, 4.0, resolution, lower=-1.0) - 12 for resolution in (0.4, 0.2))
     assert (fine == pytest.approx(4 * coarse)) == slope and 1.999 * coarse < fine < 4.001 * coarse
@@ -114,14 +114,14 @@ def test_slope_rotated_by_a_quarter_has_equal_triangles(fall):
     assert along == pytest.approx(across)
 
 
-def test_map_after_the_last_part_is_that_of_the_whole_path():
+def test_height_map_after_the_last_part_equals_the_final_map():
     path = linearize(surface())
     ball = Tool("ballend", 6.0)
     (whole,), _ = heightmaps(path, tool=ball, stock=STOCK)
     parts, _ = heightmaps(path, tool=ball, stock=STOCK, parts=5)
     assert len(parts) == 5
     assert all((after <= before).all() for before, after in zip(parts, parts[1:]))
-    assert np.abs(parts[-1] - whole).max() < 0.05  # the ends of the parts are sampled twice
+    assert np.abs(parts[-1] - whole).max() < 0.05  # The points at which two parts meet are sampled twice.
 
 
 def test_map_of_a_part_does_not_include_the_next_part():
@@ -142,12 +142,12 @@ def test_lower_face_of_a_round_part_has_many_triangles():
     of_disc, of_plate = (mesh_facets(heights, 1.0, 0.1, lower=0.0) for heights in (disc, plate))
     assert 0.2 * cells < of_disc < 0.7 * cells
     assert of_plate < 3000
-    thin = np.where(disc > 0, disc, 0.09)  # less than a cell is cut through
+    thin = np.where(disc > 0, disc, 0.09)  # Material thinner than a cell counts as cut through.
     assert mesh_facets(thin, 1.0, 0.1, lower=0.0) == pytest.approx(of_disc, rel=0.01)
 
 
 def bottom_of_freecad(kept):
-    """Return the number of rectangles, counted cell by cell like ``TesselBot`` and its loop in VolSim.cpp."""
+    """Return the number of rectangles of the lower face, counted like ``TesselBot`` in FreeCAD's VolSim.cpp."""
     kept, count = kept.copy(), 0
     columns, rows = kept.shape
 

@@ -37,7 +37,7 @@ def test_arc_of_any_sweep_is_one_motion(sweep, down):
     path = linearize([("G0", {"X": 10.0, "Y": 0.0, "Z": 0.0}), ("G3", {**end, "I": -10.0, "J": 0.0})])
     made = motions(path)
     assert made.radius == pytest.approx([10.0], rel=1e-3) and made.sweep == pytest.approx([sweep])
-    # Each straight move is one motion, even if several moves belong to one command.
+    # Each straight move is a separate motion, even if several moves belong to one command.
     straight = motions(replace(path, sweep=np.zeros(len(path))))
     assert len(straight.move) == len(path) and not straight.radius.any()
 
@@ -74,7 +74,7 @@ def test_peck_drilling_cycle_is_three_motions():
     assert np.allclose(made.move[vertical, 2], [-12, 12, -12, 12])
     assert made.command.tolist() == [1, 1, 1, 2, 2, 2]
     there = [("G0", {"X": 5.0, "Y": 5.0, "Z": 3.0}), ("G81", {"X": 5.0, "Y": 5.0, "Z": -9.0, "R": 3.0, "F": 2.0})]
-    assert np.allclose(motions(linearize(there)).move, [[0, 0, -12], [0, 0, 12]])  # the tool is already over the hole
+    assert np.allclose(motions(linearize(there)).move, [[0, 0, -12], [0, 0, 12]])  # The tool is already over the hole.
     # The cycles begin and end at the retract height over each hole, although the cycle returns to 20 mm.
     assert np.allclose(made.move[~vertical], [[5, 5, -17], [10, 0, 0]])
 

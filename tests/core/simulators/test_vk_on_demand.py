@@ -56,7 +56,7 @@ def test_cost_is_computed_once_at_its_first_use(asked):
     assert set(costs) == {"z-buffer", "legacy", "OpenGL"} and len(asked) == 3
 
 
-def test_total_computes_only_the_costs_that_it_shows(asked):
+def test_total_computes_only_the_costs_that_are_shown(asked):
     each = [predict(task(), Conditions(version=(1, 1)))[0] for _ in range(3)]
     costs, advice = together(each, labels=["a", "b", "c"], stepover=2.0, **BUDGET)
     assert asked == []
@@ -65,12 +65,12 @@ def test_total_computes_only_the_costs_that_it_shows(asked):
     assert advice["z-buffer"].view and asked == 3 * ["OpenGL"] + 3 * ["z-buffer"]
 
 
-def test_preflight_draws_no_rays_if_the_bound_is_allowed(asked):
+def test_preflight_samples_no_rays_if_memory_bound_is_allowed(asked):
     whole = task()
     costs, _ = predict(whole, Conditions(version=(1, 1)))
     assert not preflight(whole, costs, Conditions(version=(1, 1)))
     assert sorted(asked) == ["OpenGL", "legacy"]
-    # If the bound exceeds the memory budget, the rays are needed to estimate the memory.
+    # Only if the upper bound of the memory exceeds the budget, rays are sampled to estimate the memory.
     few = Conditions(version=(1, 1), memory_budget=costs["z-buffer"].memory_bytes + 1e4)
     assert not [
         caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"
@@ -79,7 +79,7 @@ def test_preflight_draws_no_rays_if_the_bound_is_allowed(asked):
     assert [caution for caution in preflight(whole, costs, few) if caution.what.arguments["simulator"] == "z-buffer"]
 
 
-def test_order_of_use_does_not_change_costs():
+def test_costs_do_not_depend_on_the_order_in_which_they_are_used():
     conditions = Conditions(version=(1, 1), legacy_accuracy=0.5, view=View((1, 1, -1), 200, 150))
     names = [simulator.name for simulator in SIMULATORS]
     forwards, backwards = (predict(task(), conditions) for _ in range(2))
@@ -108,7 +108,7 @@ def test_computed_cost_drops_its_function():
     assert not costs._makers
 
 
-def test_failed_cost_is_missing(caplog):
+def test_cost_whose_computation_fails_is_missing(caplog):
     def fail():
         raise ZeroDivisionError
 

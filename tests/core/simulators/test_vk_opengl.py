@@ -36,25 +36,27 @@ def arcs(count, radius):
 def test_draw_calls_of_lines_plunges_and_arcs_are_counted():
     start = [("G0", {"X": 0.0, "Y": 0.0, "Z": 10.0})]
     line = opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK))
-    assert (line.draws, line.steps) == (18, 20)  # the steps are 0.5 mm long
+    assert (line.draws, line.steps) == (18, 20)  # The steps are 0.5 mm long.
     assert tuple(line.play_seconds) == opengl_speeds((1, 1))
-    # Ten millimetres are done in steps of 1 mm, or of 4 mm at the coarsest quality.
+    # The simulator divides a move of 10 mm into steps of 1 mm, or of 4 mm at the coarsest quality.
     rough = [opengl_cost(Task(linearize(start + [("G1", {"X": 10.0})]), TOOL, STOCK), quality=q) for q in (5, 1)]
     assert [cost.steps for cost in rough] == [10, 2]
     assert opengl_cost(Task(linearize(start + [("G1", {"Z": 1.0})]), TOOL, STOCK)).draws == 9
-    # For a half circle of 5 mm, FreeCAD 1.0 was found to use 33 chords and 297 draw calls.
+    # FreeCAD 1.0 draws a half circle of 5 mm with 33 chords and 297 draw calls.
     half = opengl_cost(Task(linearize(arcs(1, 5.0)), TOOL, STOCK))
     assert (half.steps, half.draws, half.arc_draws) == (33, 297, 297)
-    # An arc within the tool's radius is drawn with the tool, every 22.5 degrees.
+    # An arc smaller than the tool's radius is drawn as copies of the tool, one every 22.5 degrees.
     assert [opengl_cost(Task(linearize(arcs(1, r)), TOOL, STOCK)).draws for r in (2.0, 0.5)] == [9 * 9] * 2
     assert opengl_cost(Task(linearize(arcs(1, 2.0)), TOOL, STOCK), quality=1).draws == 9 * 3
-    # With a smaller tool, the arc has a chord for each quarter turn, if the quality asks for chords longer than the
-    # arc.
+    # With a smaller tool, and a quality with chords longer than the arc, the arc has a chord for each quarter turn.
     assert opengl_cost(Task(linearize(arcs(1, 2.0)), Tool("endmill", 1.0), STOCK), quality=1).draws == 9 * 4
 
 
 def outline(*bases):
-    """Return the added areas of upright solids 30 mm high on convex bases, seen along Y and 30 degrees down."""
+    """Return the sum of the visible areas of upright solids, seen along Y and 30 degrees down.
+
+    Each solid is 30 mm high on a convex base.
+    """
     total = 0.0
     for base in bases:
         x, y = np.array(base).T
@@ -66,7 +68,7 @@ def outline(*bases):
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.6, 1.5708, 2.5, 4.0])
-def test_area_of_a_straight_motion_is_its_outline(angle):
+def test_drawn_area_of_a_straight_motion_is_its_outline(angle):
     along, across = np.array((np.cos(angle), np.sin(angle))), np.array((-np.sin(angle), np.cos(angle)))
     turn = np.linspace(-np.pi / 2, np.pi / 2, 200)[:, None]
     front = 3.0 * (np.cos(turn) * along + np.sin(turn) * across)
@@ -80,11 +82,12 @@ def test_area_of_a_straight_motion_is_its_outline(angle):
     assert plunge == pytest.approx(outline(np.concatenate((front, -front))), rel=0.002)
 
 
-def test_area_of_an_arc_is_that_of_its_chords_and_its_tool():
+def test_drawn_area_of_an_arc_is_the_area_of_its_chords_and_tool():
     tool = opengl_work(motions(linearize([("G0", {"Z": 10.0}), ("G1", {"Z": 0.0})])), diameter=6.0).area[-1]
     small = opengl_work(motions(linearize(arcs(1, 2.0))), diameter=6.0)
     assert small.area[-1] == pytest.approx(9 * tool)
-    # The half circles have 63 and 5 boxes, each box rotated against the previous one, and the tool.
+    # The half circles are drawn with 63 and 5 boxes, each rotated against the previous box, and with the tool at the
+    # end.
     for radius, diameter, boxes, off in ((10.0, 6.0, 63, 0.005), (0.8, 1.0, 5, 0.05)):
         rows = [("G0", {"Z": 10.0}), ("G1", {"Z": 0.0}), *arcs(1, radius)]
         work = opengl_work(motions(linearize(rows)), diameter=diameter)
@@ -95,10 +98,12 @@ def test_area_of_an_arc_is_that_of_its_chords_and_its_tool():
 
 
 def play(path, diameter, speed, constants):
-    """Return the duration of a play that draws everything done so far in each frame, like the simulator."""
-    drawn = [0.0]  # cost of a frame after each step, in draw calls, including the filled area
+    """Return the duration of a play in which each frame draws all cuts so far, like FreeCAD's simulator."""
+    drawn = [0.0]  # Cost of a frame after each step, in draw calls. The cost includes the time to fill the drawn area.
     made = motions(path)
-    window = 1.819 * 100.0**2  # at a distance of 160 mm, the window is 0.7 rad high and four thirds as wide
+    # At a distance of 160 mm, the window shows an angle of 0.7 rad vertically, and its width is four thirds of its
+    # height.
+    window = 1.819 * 100.0**2
     areas = opengl_work(made, diameter=diameter).area
     for move, sweep, radius, area in zip(made.move, made.sweep, made.radius, areas):
         filled = constants.fill * 9 * area / window
@@ -155,14 +160,14 @@ def test_rounded_tools_take_longer_to_draw():
     assert ball.draws == flat.draws and ball.frame_seconds == pytest.approx(1.9 * flat.frame_seconds)
 
 
-def test_play_grows_with_the_square_of_the_motions():
+def test_play_time_grows_with_the_square_of_the_motions():
     slow = Constants(refresh=0.0, frame=0.0, draw=1e-3)
     once = opengl_cost(Task(linearize(zigzag(200, pitch=0.1)), TOOL, STOCK), constants=slow).play_seconds[1]
     twice = opengl_cost(Task(linearize(zigzag(400, pitch=0.1)), TOOL, STOCK), constants=slow).play_seconds[1]
     assert twice / once == pytest.approx(4, rel=0.05)
 
 
-def test_earlier_cuts_are_free_while_frames_wait_for_screen():
+def test_drawing_earlier_cuts_takes_no_time_while_frames_wait():
     """Two operations have 100 steps each.
 
     In the first operation, each frame waits 1 s for the screen, and drawing takes up to 1 s.
@@ -178,7 +183,7 @@ def test_earlier_cuts_are_free_while_frames_wait_for_screen():
     assert (both.drawing_seconds, both.steps, both.draws) == (2.0, 200, 2 * one.draws)
 
 
-def test_halves_played_in_sequence_take_as_long_as_the_whole():
+def test_two_halves_played_in_sequence_take_as_long_as_the_whole():
     whole = opengl_cost(Task(linearize(zigzag(400)), TOOL, STOCK), speeds=(10,))
     assert opengl_together([whole]) == whole
     half = opengl_cost(Task(linearize(zigzag(200)), TOOL, STOCK), speeds=(10,))

@@ -24,7 +24,7 @@ from vkworkbench.core.simulators.table import available, predict
 from vkworkbench.core.zbuffer import estimate
 from vkworkbench.language import Message, render
 
-# importlib, because a function has the same name as the module
+# The module needs importlib, because a function has the same name as the module.
 PREFLIGHT = importlib.import_module("vkworkbench.core.simulators.preflight")
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})
@@ -85,7 +85,7 @@ def test_arc_begins_where_the_line_before_it_ends():
     assert check([START, line, ("G2", {"X": 10.0, "Y": 0.0, "Z": 5.0, "I": 0.0, "J": -10.0})]) == ()
 
 
-def test_k_word_of_0_does_not_count():
+def test_arc_with_a_k_word_of_0_counts_as_without_a_center():
     (found,) = check([START, ("G3", {**without("I", "J"), "K": 0.0})], (1, 1))
     assert "without a center" in found.message
 
@@ -100,7 +100,7 @@ def test_long_ramp_is_cut_at_the_wrong_depth():
     assert found.code == "legacy-ramp" and found.command == 1
     # The ramp falls 5 mm over 60 mm with a tool of 8 mm, so it is cut 5 * (60 / 8 - 1) = 32.5 mm too deep.
     assert "32 mm too deep" in found.message or "33 mm too deep" in found.message
-    # The caution names the worst of several ramps. In the caution's text, commands are counted from one.
+    # The caution names the ramp with the largest error of several ramps. Its text numbers commands from one.
     (found,) = check([*commands, ("G1", {"X": 0.0, "Z": 25.0})], diameter=8.0)
     assert (found.what.arguments["count"], found.what.arguments["command"], found.command) == (2, 3, 1)
     assert "too high" in found.message
@@ -130,7 +130,9 @@ def test_long_play_has_a_caution_that_names_a_faster_way():
     legacy = legacy_cost(Task(path, Tool("endmill", 6.0), STOCK))
     opengl = opengl_cost(Task(path, Tool("endmill", 6.0), STOCK), constants=Constants(refresh=0.035, draw=25e-6))
     found = [one for one in check(commands, (1, 1), legacy=legacy, OpenGL=opengl) if one.code == "long-play"]
-    assert len(found) == 2  # 20,001 commands of 25 ms each, and a mesh of a million cells of 27 ns with its triangles
+    # The times are 25 ms for each of 20,001 commands, and 27 ns for each of a million cells of the mesh, plus
+    # triangles.
+    assert len(found) == 2
     assert re.search(
         r"about 20 min in the legacy simulator\. Use fast-forward, which takes about [23]0 s\.", found[0].message
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The table of simulators: every entry is complete, and a new simulator needs only one more entry."""
+"""The code's table of simulators: every entry is complete, and a new simulator needs only one more entry."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def translated(language):
 
 
 def texts(simulator):
-    """Yield translation context and text of every string that the user sees in a simulator's entry."""
+    """Yield (translation context, text) for every text that the user sees in a simulator's table entry."""
     for name in ("time_tooltip", "memory_tooltip"):
         yield "Vk_Results", getattr(simulator, name)
     if simulator.advice:
@@ -55,7 +55,7 @@ def test_every_text_of_a_simulators_entry_is_translated(language):
             assert known.get(key), (simulator.name, key)
 
 
-def test_entries_have_different_names_and_columns():
+def test_table_entries_of_simulators_have_different_columns():
     names = [simulator.name for simulator in SIMULATORS]
     columns = [name for s in SIMULATORS for name in (*s.columns, s.factor_column, s.advice and s.advice.column) if name]
     for unique in (names, columns):
@@ -63,7 +63,7 @@ def test_entries_have_different_names_and_columns():
     assert preferences.OWN not in names and SIMULATORS[0] is ZBUFFER
 
 
-def test_preferences_of_each_simulator_exist():
+def test_preferences_that_a_simulator_names_exist_in_the_form():
     known = {field.name for field in fields(preferences.Preferences)}
     form = (ROOT / "resources" / "ui" / "preferences.ui").read_text(encoding="utf-8")
     for simulator in SIMULATORS:
@@ -116,7 +116,7 @@ def row(version):
     )  # fmt: skip
 
 
-def test_one_more_entry_of_a_simulator_appears_everywhere(wireframe, tmp_path):
+def test_new_table_entry_of_a_simulator_appears_everywhere(wireframe, tmp_path):
     operation = row((1, 2))
     count = operation.trajectories
     assert operation.cost("wireframe") == (float(count), 1e3 * count) and operation.factor("wireframe") == 3.0
@@ -145,7 +145,7 @@ def test_advised_image_size_is_0_if_no_image_is_in_the_budget():
     assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)
 
 
-def test_prediction_needs_a_tool_and_a_stock():
+def test_cost_prediction_needs_a_tool_and_a_stock():
     path, tool = linearize(ROWS), Tool("endmill", 5.0)
     assert Task(path, tool, STOCK).cutting == (tool, STOCK)
     for known in ((None, STOCK), (tool, None), (None, None)):
@@ -153,7 +153,7 @@ def test_prediction_needs_a_tool_and_a_stock():
             Task(path, *known).cutting  # noqa: B018
 
 
-def test_text_of_a_caution_is_its_message():
+def test_str_of_a_caution_is_its_message():
     caution = Caution("wires", Message("leave-out"))
     assert str(caution) == caution.message != ""
 
