@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The window: the only package that uses Qt."""
+"""The graphical user interface of the add-on: the only package that uses Qt."""

@@ -68,8 +68,8 @@ class AnalyzeCommand(DocumentCommand):
         one, more = (
             translate("Vk_Analyze", "{count} operation was analyzed."), translate("Vk_Analyze", "{count} operations were analyzed.")
         )  # fmt: skip
-        # Count the operations as the total of the job does: without inactive operations and bases of dress-ups. If only
-        # such operations were analysed, count all.
+        # Leave out inactive operations and bases of dress-ups, which the total of the job does not include either. If
+        # all analysed operations are inactive or bases, the message gives the number of all analysed operations.
         text = plural(one, more, sum(o.counted for o in report.operations) or len(report.operations))
         if warned:
             one, more = (
@@ -115,7 +115,7 @@ def mark(report) -> None:
 
 
 def _unmarked_jobs(report) -> list:
-    """Return the jobs of a report that have no mark yet. Their branches in the tree are expanded to show new marks."""
+    """Return the jobs of a report without a mark in the tree, whose branches are expanded to show the new marks."""
     documents = FreeCAD.listDocuments()
     jobs = [documents[document].getObject(name) for document, name in report.jobs if document in documents]
     return [job for job in jobs if job is not None and not marks.is_marked(job)]

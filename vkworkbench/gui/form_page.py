@@ -16,7 +16,7 @@ _FORMS = Path(__file__).resolve().parents[2] / "resources" / "ui"
 
 
 class FormPage:
-    """A page of the preferences dialog with a form. FreeCAD calls its methods to load and to save the values.
+    """A page of the preferences dialog with a form. FreeCAD calls the page's methods to load and to save the values.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class FormPage:
         self._shown = self.chosen()
 
     def saveSettings(self) -> None:
-        """Save only the values that the user changed. All other values are shown rounded, for example in inches."""
+        """Save only the values that the user changed, because the form shows all values rounded, e.g. in inches."""
         now = self.chosen()
         preferences.write(**{name: value for name, value in now.items() if value != self._shown[name]})
         self._shown = now

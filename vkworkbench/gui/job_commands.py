@@ -69,7 +69,7 @@ class JobCommand(DocumentCommand):
 
 
 class ClampsCommand(JobCommand):
-    """Make the selected solids the clamps of a job. If no solid is selected, show the clamps, to remove them."""
+    """Make the selected solids the clamps of a job. If no solid is selected, offer to remove the present clamps."""
 
     name = "Vk_Clamps"
     menu = QT_TRANSLATE_NOOP("Vk_Clamps", "Set Clamps from Selection")
@@ -198,7 +198,10 @@ def _job_of(obj):
 
 
 def _ask(title: str, text: str, jobs: list, names: list[str], take: Callable, present=None) -> None:
-    """Ask for one of several jobs, and call `take` with the chosen job. `names` replace the first jobs' labels."""
+    """Ask for one of several jobs, and call `take` with the chosen job.
+
+    The list shows `names` for the first entries of `jobs`, and the labels for the others.
+    """
     labels = names + [f"{number}. {job.Label}" for number, job in enumerate(jobs[len(names) :], 1)]
     shown = jobs.index(present) if present in jobs else 0
     choose(title, text, labels, lambda number: take(jobs[number]), Gui.getMainWindow(), shown)

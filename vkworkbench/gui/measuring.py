@@ -39,7 +39,7 @@ class _Measurement:
             return
         self._measures = True
         try:
-            with suppress(OSError):  # if the file cannot be written, the default constants stay in use
+            with suppress(OSError):  # if the file cannot be written, estimates use the default speed of a computer
                 calibration.calibrate(self._going_on)
                 for document in FreeCAD.listDocuments().values():
                     with suppress(ReferenceError):  # the document was closed during the measurement

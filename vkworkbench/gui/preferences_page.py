@@ -12,7 +12,7 @@ from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 
 TITLE = QT_TRANSLATE_NOOP(
     "QObject", "Toolpath Analysis"
-)  # title of the group of pages, whose icon is preferences-toolpath_analysis.svg
+)  # title of the group of pages, from which FreeCAD derives the name of the icon preferences-toolpath_analysis.svg
 
 
 class PreferencesPage(FormPage):
@@ -56,7 +56,7 @@ class PreferencesPage(FormPage):
         try:
             progress.calibrate(self.form)
         except Cancelled:
-            pass  # the previous calibration stays valid
+            pass  # after a cancelled calibration, the previous calibration stays valid
         except OSError as error:
             warn(translate("VkPreferences", "Calibrate"), str(error), self.form)
         self._say_last_calibration()

@@ -65,12 +65,12 @@ def install() -> None:
         workbench = Gui.listWorkbenches().get(name)
         if workbench is not None:
             _extend(workbench, menu)
-    idle.use(lambda call: QTimer.singleShot(1, call))  # Qt handles other events during the delay of 1 ms
+    idle.use(lambda call: QTimer.singleShot(1, call))  # wait 1 ms, so that Qt handles other events first
     FreeCAD.addDocumentObserver(_OpenedDocuments())
     FreeCAD.addDocumentObserver(_Recomputes())
     Gui.getMainWindow().workbenchActivated.connect(
         lambda name: simulator_watch.watch()
-    )  # FreeCAD has created its task view when a workbench is activated
+    )  # the task view to watch exists at the latest when a workbench is activated
 
 
 def _extend(workbench, menu: str) -> None:
@@ -128,7 +128,7 @@ class _OpenedDocuments:
     def slotCommitTransaction(self, document) -> None:
         if (
             "vkworkbench.document.marks.marking" in sys.modules
-        ):  # without this import, neither a command nor a macro has written marks
+        ):  # if this module was never imported, neither a command nor a macro has written marks
             from vkworkbench.gui.tree import pills
 
             pills.show()
@@ -140,7 +140,8 @@ class _OpenedDocuments:
         document = FreeCAD.listDocuments().get(name)
         if document is None or name in self._compared:
             return
-        if document.Restoring:  # timers also run while FreeCAD is loading a document with a progress bar
+        # Wait until the document is loaded, because timers also run while FreeCAD shows the progress bar of loading.
+        if document.Restoring:
             self._later(name)
             return
         opened = name in self._opened
@@ -172,7 +173,8 @@ class _Recomputes:
         from vkworkbench.document import upkeep
         from vkworkbench.gui.qt import progress
 
-        if name in FreeCAD.listDocuments():  # the analysis runs after the comparison of the marks
+        # Analyse only after the marks have been compared with the operations.
+        if name in FreeCAD.listDocuments():
             idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
 
 

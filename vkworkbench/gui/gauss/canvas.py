@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The widget with the three plots. The wheel zooms, dragging pans, and a double click shows all data again."""
+"""The widget with the three plots of the Gauss map panel.
+
+The mouse wheel zooms a plot, dragging pans, and a double click shows all data again.
+"""
 
 from __future__ import annotations
 

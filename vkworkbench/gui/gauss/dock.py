@@ -48,7 +48,7 @@ from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.language import Message, Unusable
 from vkworkbench.report import Cancelled
 
-_LISTED = 50  # the chooser lists this number of areas, the longest of the toolpath
+_LISTED = 50  # maximum number of areas in the combo box, which lists the toolpath's longest areas
 _QUICK = 20_000  # an area with fewer trajectories is drawn without a background thread
 _NOT_IN_NAMES = '\\/:*?"<>|'
 
@@ -68,7 +68,7 @@ class GaussMapDock(QDockWidget):
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel()
         as_plain(self.title)
         for label in (self.title, self.values, self.legend):
-            label.setWordWrap(True)  # because the dock can be narrow
+            label.setWordWrap(True)  # a label in one line would not fit in a narrow dock
             label.setTextInteractionFlags(Qt.TextSelectableByMouse)
         self._whole = [WholeText(label) for label in (self.title, self.values, self.legend)]
         self.legend.setAlignment(Qt.AlignRight)
@@ -210,12 +210,12 @@ class GaussMapDock(QDockWidget):
         self._show_figure(figure)
 
     def _choose_area(self, row: int) -> None:
-        self._background.give_up()  # stop drawing the previous area
+        self._background.give_up()  # stop drawing the area that was chosen before
         reading, area = self._reading, self.chooser.itemData(row)
         if reading.areas.end[area] - reading.areas.start[area] < _QUICK:
             self._show_figure(GaussFigure(reading, area))
             return
-        self.saver.setEnabled(False)  # until the new area is drawn, the plots show another area
+        self.saver.setEnabled(False)  # the plots still show the previous area until the new area is drawn
         text = translate("Vk_GaussMap", "Reading {}…").format(self._label)
         self._background.start(text, lambda going_on: [GaussFigure(reading, area)], self._show_figure, self._chosen)
 
@@ -224,7 +224,8 @@ class GaussMapDock(QDockWidget):
             self._ended(error)
             return
         self.chooser.blockSignals(True)
-        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))  # the area that is still shown
+        # The user cancelled the drawing of the new area: choose the area that the plots still show.
+        self.chooser.setCurrentIndex(self.chooser.findData(self.canvas.figure.area))
         self.chooser.blockSignals(False)
         self.saver.setEnabled(True)
 
@@ -287,7 +288,7 @@ class GaussMapDock(QDockWidget):
         """Return the colour of the background behind the plots, which a palette or a style sheet determines."""
         image = QImage(1, 1, QImage.Format_RGB32)
         image.fill(self._body.palette().color(QPalette.Window))
-        corner = self._body.mapTo(self, QPoint(2, 2))  # this point is in the empty margin
+        corner = self._body.mapTo(self, QPoint(2, 2))  # no widget covers the background at this point in the margin
         self.render(image, QPoint(0, 0), QRegion(corner.x(), corner.y(), 1, 1))
         return image.pixelColor(0, 0)
 
@@ -349,7 +350,7 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
 
 
 def _reached(phi_range: tuple[float, float], level: int, reversals: int) -> str:
-    """Return the range of phi, the level and the reversals as text."""
+    """Return an area's range of phi, its level n and its number of exact reversals as text."""
     text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
     return text.format(*map(user().turns, phi_range), level, user().count(reversals))
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Paint the three plots of one area: toolpath, Gauss map and angular functions.
 
-The parts that depend on the step k are painted over the other parts, which the widget stores as an image. Texts on the
-plots are the paper's symbols and the names of strategies.
+The parts that depend on the chosen trajectory k are painted over the parts that do not depend on k, which the widget
+stores as an image. Texts on the plots are the paper's symbols and the names of strategies.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from vkworkbench.gui.qt.names import QColor, QFontMetrics, QPainter, QPen, QPoin
 from vkworkbench.gui.qt.sentences import strategy_name, user
 
 TRAIL = 1000  # number of trajectories before trajectory k that are highlighted and drawn on the Gauss map
-_COLUMNS = 1000  # number of parts of the graph that are thinned separately, see thinned()
+_COLUMNS = 1000  # number of parts of a curve, of which `thinned` draws at most four points each
 _MARKERS = 500
 _WIDE = 1.8  # minimum ratio of width to height for three plots in one row
 _MIN_PLOT = 90  # minimum height of a plot, px
-_GROWTH = 0.5  # change of the radius of the drawn arcs along the trail
-_GAP = 10  # px
+_GROWTH = 0.5  # difference between the radii of the first and the last arc on the Gauss map, which form a spiral
+_GAP = 10  # px between two plots
 _FULL = 2 * np.pi
 _ROUNDING = 1e-6  # rounding error of an angle, rad
 _EDGE = 0.04  # margin in a plot, as a share of its data's size
@@ -42,7 +42,8 @@ class GaussFigure:
         self._own = Polyline(self.vertices)
         self.k = len(signature) - 1
         self.phi, self.level = signature.phi, signature.level
-        if signature.total_turning != signature.phi[-1]:  # the closing turn has no trajectory of its own
+        # Append the turn from the last move of a closed path to the first move, which follows no other trajectory.
+        if signature.total_turning != signature.phi[-1]:
             self.phi = np.append(self.phi, signature.total_turning)
             self.level = np.append(self.level, level_of(signature.total_turning))
         corner, opposite = (find(reading.outline.points, axis=0) for find in (np.nanmin, np.nanmax))
@@ -165,14 +166,14 @@ class GaussFigure:
         self._paint_names(painter, theme)
 
     def _seen(self, values: np.ndarray) -> np.ndarray:
-        """Return the indices of the values to draw in the graph's window, (m,)."""
+        """Return the indices of the values to draw in the visible range of the graph, (m,)."""
         lower, upper = self.graph.window
         first = int(np.clip(math.floor(lower[0]) - 2, 0, len(values) - 1))
         last = int(np.clip(math.ceil(upper[0]) + 1, first + 1, len(values)))
         return first + thinned(values[first:last], _COLUMNS)
 
     def _paint_bounds(self, painter: QPainter, theme: Theme) -> None:
-        """Draw the limits of phi, highlighted if they decide for this strategy."""
+        """Draw the limits of phi as dashed lines, highlighted if the paper's rule for the strategy depends on them."""
         plot = self.graph
         plot.clipped(painter)
         painter.setPen(
@@ -184,7 +185,7 @@ class GaussFigure:
             painter.drawLine(QPointF(*ends[0]), QPointF(*ends[1]))
 
     def _strong(self, theme: Theme) -> str:
-        """Return the colour of the deciding bound: the colour of the strategy, made readable."""
+        """Return the colour of highlighted limits of phi: the colour of the strategy, made readable."""
         return readable(QColor(self._strategy.color), QColor(theme.back))
 
     @property
@@ -193,9 +194,9 @@ class GaussFigure:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """One turn of phi to both sides, rad: from the middle for rows, else from the start.
+        """Lower and upper limit of phi, rad: one turn below and above 0, for rows below and above the middle of phi.
 
-        The first move of a zigzag can have any direction, so the middle of phi differs from the start.
+        The first move of a zigzag can have any direction, so the middle of its phi differs from 0.
         """
         rows = self._strategy.family is Family.ROWS
         middle = float(self.phi.min() + self.phi.max()) / 2 if rows else 0.0
@@ -203,7 +204,7 @@ class GaussFigure:
 
     @property
     def bound(self) -> str:
-        """The condition on phi that decides for this strategy, as text; empty if phi does not decide."""
+        """The condition on phi from which the paper's rule concludes this strategy; empty if phi does not meet it."""
         low, high = self.limits
         inside = low + _ROUNDING < self.phi.min() and self.phi.max() < high - _ROUNDING
         name = strategy_name(self._strategy)
@@ -215,7 +216,7 @@ class GaussFigure:
         return ""
 
     def _paint_names(self, painter: QPainter, theme: Theme) -> None:
-        """Write the names of the curves and the deciding bound above the graph; farther left if they are too long."""
+        """Write the names of the curves and the condition on phi above the graph; long texts begin farther left."""
         text = QFontMetrics(painter.font())
         entries = [("n", theme.faint), ("θ/2π + n", theme.v), ("φ/2π", theme.counter_clockwise)]
         if len(self.signature.reversals):
@@ -280,7 +281,7 @@ class GaussFigure:
             plot.segments(painter, np.zeros((1, 2)), image)
             painter.setBrush(QColor(color))
             plot.dots(painter, image, 3.5)
-            # Shift the names, so that the names of two equal directions do not overlap.
+            # Shift the letters, so that the letters of two equal directions do not overlap.
             _name(painter, plot.pixels([_polar(0.8, at + aside)])[0], letter, "k", color)
 
     def _paint_now(self, painter: QPainter, theme: Theme) -> None:

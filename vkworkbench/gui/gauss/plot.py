@@ -41,12 +41,15 @@ class Plot:
 
     @property
     def share(self) -> float:
-        """Visible share of the data, along the side with the larger share."""
+        """Visible share of the data: the larger of the shares along the two axes."""
         return float(((self.upper - self.lower) / (self._home[1] - self._home[0])).max())
 
     @property
     def window(self) -> tuple[np.ndarray, np.ndarray]:
-        """The visible corners. With equal units on both axes, the plot shows along one axis more than the window."""
+        """Lower and upper corner of the visible range.
+
+        With equal units on both axes, the plot shows along one axis more than the range from `lower` to `upper`.
+        """
         size = self.upper - self.lower
         if not self._equal or self.place.isEmpty():
             return self.lower, self.upper
@@ -134,7 +137,7 @@ class Plot:
 def ticks(
     low: float, high: float, count: int, name: Callable[[float], str], unit: float = 1.0, whole: bool = False
 ) -> list[tuple[float, str]]:
-    """Return round values between `low` and `high`, with their names.
+    """Return round values between `low` and `high`, each with its label.
 
     Parameters
     ----------

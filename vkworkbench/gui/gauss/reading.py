@@ -20,7 +20,7 @@ _CLOSE = 0.25  # if a smaller share of the data is visible, the segments to draw
 
 
 class Polyline:
-    """A polyline, and the selection of its segments that differ on the screen.
+    """A polyline, of which only segments that look different on the screen are drawn.
 
     Attributes
     ----------
@@ -34,7 +34,15 @@ class Polyline:
         self._sketch = distinct(points, overlapping(points, -everywhere, everywhere), cells=_CELLS, most=_MAX_SEGMENTS)
 
     def seen(self, lower: np.ndarray, upper: np.ndarray, share: float) -> np.ndarray:
-        """Return the indices of the segments to draw between two corners, (m,) int64; `share` is the visible share."""
+        """Return the indices of the segments to draw in a visible range, (m,) int64.
+
+        Parameters
+        ----------
+        lower, upper : (2,) float
+            Corners of the visible range.
+        share : float
+            Visible share of the data.
+        """
         if share > _CLOSE or len(self._sketch) < _MAX_SEGMENTS // 4:
             return self._sketch
         return distinct(self.points, overlapping(self.points, lower, upper), cells=_CELLS, most=_MAX_SEGMENTS)
@@ -71,7 +79,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     Unusable
         If the operation has too many trajectories.
     Cancelled
-        Raised by `going_on`, which is called between steps.
+        Raised by `going_on`, which is called between two steps of the computation.
     """
     commands = source.path.Commands
     going_on()
@@ -88,7 +96,7 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)
     going_on()
     signature = areas.signature(index)
-    _ = signature.theta_level, signature.length  # computed here, so that Qt's main thread does not have to
+    _ = signature.theta_level, signature.length  # fill these caches here, because Qt's main thread would take long
     drawn = [Polyline(points(areas)) for points in (outline, links)]
     going_on()
     yield Reading(recognition, areas, *drawn, index)

@@ -121,8 +121,8 @@ class Background(QObject):
 class _Threads:
     """Keeps references to the work of running threads, so that no thread destroys Qt objects (see `garbage`).
 
-    A thread would destroy objects to which it holds the last reference, such as the tab for which it works. Therefore a
-    reference to its work is kept here until the thread has ended.
+    A thread would destroy objects to which it holds the last reference, such as the tab that started it. Therefore this
+    class refers to the thread's work until the thread has ended.
     """
 
     def __init__(self) -> None:

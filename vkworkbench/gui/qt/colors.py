@@ -12,10 +12,10 @@ WARNING = ("#f9a825", "#1a1a1a")
 ERROR = ("#c62828", "#ffffff")
 BURDEN = {"NEAR": WARNING, "OVER": ERROR}  # colours of a simulation time that is near or over the time budget
 RAPID = "#8c8c8c"
-LINK = "#2f7fd6"  # `readable` adapts this colour to the background
+LINK = "#2f7fd6"  # colour of links, which `readable` adapts to the background
 NOTE_SIGN, WARNING_SIGN, ERROR_SIGN = "#62748d", "#c77700", "#d9363e"
 
-TEXT_CONTRAST, LINE_CONTRAST = 4.6, 3.1  # slightly above the minimum of WCAG 2.1 for text and for lines
+TEXT_CONTRAST, LINE_CONTRAST = 4.6, 3.1  # contrast ratios slightly above WCAG 2.1's minimum for text and for lines
 _STEP = 0.04  # share of white or black that `readable` adds to a colour in each step
 _LIGHT, _DARK = QColor("#ffffff"), QColor("#1e1e1e")
 

@@ -27,7 +27,7 @@ def add(dock: QDockWidget, height: int) -> None:
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
     _join(dock, others)
     for other in others:
-        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # the hidden dock becomes a tab
+        if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # a dock opened later must be a tab, too
             window.tabifyDockWidget(dock, other)
     show(dock)
     window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)
@@ -66,7 +66,7 @@ def _keep_tree_high() -> None:
 
 
 def _at_the_bottom(dock: QDockWidget) -> list[QDockWidget]:
-    """Return all other docks at the bottom of the window, including hidden docks."""
+    """Return the docks at the bottom of the window, including hidden docks but without this dock."""
     window = Gui.getMainWindow()
     return [
         other for other in widgets.docks()

@@ -196,5 +196,5 @@ class MenuButton(QToolButton):
     def sizeHint(self) -> QSize:
         arrow = self.style().pixelMetric(
             QStyle.PM_MenuButtonIndicator
-        )  # asked without a widget, because the theme returns 0 for this button
+        )  # the call has no widget argument, because FreeCAD 1.1's theme would return 0 for this button
         return super().sizeHint() + QSize(arrow, 0)

@@ -72,7 +72,7 @@ class OneLine(QLabel):
     def paintEvent(self, event) -> None:
         place = self.contentsRect()
         shown = self.fontMetrics().elidedText(self.text(), Qt.ElideRight, place.width())
-        if shown == self.text() or self.hasSelectedText():  # Qt paints a text with a selection unshortened
+        if shown == self.text() or self.hasSelectedText():  # let Qt paint the whole text if a part of it is selected
             super().paintEvent(event)
             return
         painter = QStylePainter(self)
@@ -99,8 +99,9 @@ class WholeText(QObject):
 
     def fit(self) -> None:
         """Adapt the label's height to its text and width."""
-        self._label.setMinimumHeight(0)  # without this call, the label never shrinks
-        self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))  # -1 without a text
+        self._label.setMinimumHeight(0)  # otherwise heightForWidth() would return at least the previous minimum
+        # For a label without a text, heightForWidth() returns -1.
+        self._label.setMinimumHeight(max(0, self._label.heightForWidth(self._label.width())))
 
 
 def show_tooltip(where: QPoint, html: str, widget: QWidget) -> None:

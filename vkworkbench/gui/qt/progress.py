@@ -46,7 +46,7 @@ def calibrate(parent: QWidget) -> None:
     OSError
         If the user data folder cannot be written.
     """
-    from vkworkbench.document.computer import calibration  # this import loads numpy
+    from vkworkbench.document.computer import calibration  # imported here, because the module loads numpy
 
     text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
     progress = _Progress(translate("VkPreferences", "Calibrate"), text, parent)
@@ -70,7 +70,7 @@ def simulating(title: str, text: str) -> Iterator[Callable[[float], None]]:
     dialog.setMaximum(100)
 
     def going_on(share: float) -> None:
-        dialog.setValue(min(99, int(100 * share)))  # 100 would close the dialog
+        dialog.setValue(min(99, int(100 * share)))  # the value 100 would close the dialog too early
         QApplication.processEvents(QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents)
         if dialog.wasCanceled():
             raise Cancelled("the simulation was cancelled; nothing has been changed")
@@ -91,7 +91,7 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
     as_plain(dialog.findChild(QLabel))
     dialog.setLabelText(text)
     dialog.setCancelButtonText(translate("Vk_Analyze", "Cancel"))
-    dialog.rejected.connect(dialog.cancel)  # cancels with Esc whichever widget of the dialog has the focus
+    dialog.rejected.connect(dialog.cancel)  # makes Esc cancel, whichever widget of the dialog has the focus
     return dialog
 
 
@@ -114,7 +114,7 @@ class _Progress:
         self._dialog.setValue(done)
 
     def cancelled(self) -> bool:
-        # The dialog does not block the window until it is visible. Until then, clicks are not handled.
+        # The dialog does not block FreeCAD's window before it is visible: until then, leave clicks unhandled.
         waiting = QEventLoop.AllEvents if self._dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
         QApplication.processEvents(waiting)
         return self._dialog.wasCanceled()

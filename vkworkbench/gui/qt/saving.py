@@ -12,7 +12,7 @@ def proposed(document, name: str) -> str:
 
 
 def with_suffix(path: str, suffix: str) -> str:
-    """Return the path that the user chose, with this suffix if it has no suffix. After a cancelled dialog it is empty.
+    """Return the path that the user chose, with this suffix if the path has none; empty after a cancelled dialog.
 
     A file name can contain dots: the ``.2`` in "Bracket V1.2" is not a suffix.
     """

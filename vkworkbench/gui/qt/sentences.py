@@ -47,7 +47,7 @@ class User(Reader):
         """Return a length with FreeCAD's chosen decimals, e.g. ``"12.50 mm"`` or ``"0.49 in"``; in metres from 10 m."""
         if millimetres >= 10_000 and self.length_unit(millimetres)[1] == "mm":
             return super().length(millimetres)
-        text = _quantity(millimetres).UserString  # UserString has no separators of thousands
+        text = _quantity(millimetres).UserString  # FreeCAD writes this text without separators of thousands
         return re.sub(r"^-?\d{4,}", lambda number: self.count(int(number.group())), text)
 
     def is_one(self, count: int) -> bool:
@@ -67,7 +67,7 @@ def sentence(message: Message) -> str:
 def plain_sentence(message: Message) -> str:
     """Return the sentence of a message for the user, in a machinist's words if the message has them."""
     text = render(message, user(), plain=True)
-    return text[:1].upper() + text[1:]  # the template of the first part can begin with a small letter
+    return text[:1].upper() + text[1:]  # a message can be composed of parts that begin with a small letter
 
 
 def is_chinese(text: str) -> bool:

@@ -4,7 +4,8 @@
 PySide keeps every widget that `findChild` returns until the parent is deleted, and the main window is never deleted. A
 simulator's panel that was found by `findChild` would be kept after it is closed. PySide would take a later widget at
 the same address for the panel, and FreeCAD could not open its simulator again. Therefore `findChild` is used only for
-widgets that live as long as the window, and no widget of FreeCAD is asked for its parent. `find` searches all widgets.
+widgets that live as long as the window, and no widget of FreeCAD is asked for its parent. The function `find` searches
+all widgets of the application instead.
 
 Conversely, PySide deletes the Python wrapper of a child when the wrapper of its parent is deleted. Therefore a module
 that uses a child keeps a reference to the parent.

@@ -34,8 +34,8 @@ class Column:
     shown : callable
         Returns the text that the column shows for a value.
     factor : callable or None
-        For an estimated time: returns the factor of a row. The measured time is expected to be between
-        time / factor and time * factor.
+        For a column with estimated times: returns the uncertainty of a row's time as a factor. The measured time is
+        expected to be between time / factor and time * factor.
     least : callable
         Returns whether the value of a row is a lower bound.
     note : callable
@@ -53,7 +53,10 @@ class Column:
 
     @property
     def name(self) -> str:
-        """The title in one line. A line break becomes a space, except after a hyphen and between Chinese letters."""
+        """The column's title in one line.
+
+        A line break becomes a space, except after a hyphen and between Chinese letters.
+        """
         first, _, second = self.title.replace("-\n", "").partition("\n")
         together = not second or (is_chinese(first[-1:]) and is_chinese(second[:1]))
         return first + second if together else f"{first} {second}"
@@ -67,7 +70,7 @@ class Column:
         return ("≥ " if self.least(row) else "") + text
 
     def remark(self, row: Row) -> str:
-        """Return the range of a rough estimate and the note on its value as text; empty if there is neither."""
+        """Return the range of a roughly estimated time and the note on the row's value as text; empty without both."""
         value, factor = self.value(row), self.factor(row) if self.factor else 1.0
         if value is None:
             return ""
@@ -182,7 +185,7 @@ def _is_bound(row: Row) -> bool:
 def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     """Return the columns with time and memory of a simulator, for an operation or a whole job."""
     name, text = simulator.name, partial(FreeCAD.Qt.translate, "Vk_Results")
-    # The simulator of this add-on has the name of its command.
+    # This add-on's own simulator has no menu entry among FreeCAD's simulators, so its column has the command's name.
     called = translate("Vk_Simulate", "Simulate Toolpaths") if simulator is ZBUFFER else user().simulator(name)
     time, memory = translate("Vk_Results", "{simulator}\nTime"), translate("Vk_Results", "{simulator}\nMemory")
     return (

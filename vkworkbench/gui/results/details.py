@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The details of a row as HTML: first a description in plain words; the link "Why?" opens the terms of the paper."""
+"""The details of a row in the results panel, as HTML.
+
+The details begin with a description in plain words; the link "Why?" shows the reasons in the paper's terms.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ WHY, NUMBERS, GAUSS_MAP, MEASURED = "why", "numbers", "gauss-map", "measured"  #
 _SIGNS = {
     Level.NOTE: ("i", colors.NOTE_SIGN), Level.WARNING: ("\u26a0", colors.WARNING_SIGN), Level.ERROR: ("\u2716", colors.ERROR_SIGN),
 }  # fmt: skip
-# Columns whose values the details do not list in a table, because they are shown elsewhere.
+# Columns whose values are not in the table of the details, because other parts of the details show them.
 _APART = {OPERATION, STRATEGY, WARNINGS, NOTES, STATE, LENGTH, REASON}
 
 
@@ -31,7 +34,7 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
     first, others : list of Column
         The default columns and the other columns.
     opened : set of str
-        Targets of the links whose contents are shown.
+        Targets of the links that the user has opened, such as "Why?".
     """
     parts = [_title(row)]
     if row.strategy is not None and not is_switched_off(row.mark):
@@ -89,7 +92,7 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
     cells = [(translate("Vk_Results", "Cutting Length"), length(row.found.length), "")]
     if row.is_total:
         return cells
-    if isinstance(row.found, OperationReport):  # a mark does not store the rapid length and the depth
+    if isinstance(row.found, OperationReport):  # the record in a mark does not contain the rapid length and the depth
         machining = row.found.machining
         cells.append((translate("Vk_Results", "Rapid Length"), length(machining.rapid_length), ""))
         if machining.depth is not None:

@@ -31,7 +31,10 @@ def save(report: Report, document, ending: str, parent: QWidget) -> None:
 
 
 def as_text(columns: Sequence[Column], rows: Iterable[Row]) -> str:
-    """Return rows as tab-separated text, below a line of titles. Numbers and units are written as in the panel."""
+    """Return table rows as tab-separated text, below a line of column titles.
+
+    Numbers and units are written as in the results panel.
+    """
     lines = [[column.name for column in columns]]
     lines += [[" ".join(as_cell(column.text(row)).split()) for column in columns] for row in rows]
     return "\n".join("\t".join(line) for line in lines) + "\n"

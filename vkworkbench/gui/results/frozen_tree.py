@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from vkworkbench.gui.qt.names import QAbstractItemView, QEvent, QFrame, QHeaderView, QKeySequence, Qt, QTreeView
 
-_MIN_ROWS = 2  # number of visible rows; the titles are hidden if there is less room
+_MIN_ROWS = 2  # the column titles are hidden if fewer rows than this are visible below them
 
 
 class FrozenTree(QTreeView):
@@ -31,14 +31,14 @@ class FrozenTree(QTreeView):
         self._above.setFrameShape(QFrame.NoFrame)
         self._above.setStyleSheet(
             "#frozen { border: none; border-radius: 0; margin: 0; padding: 0 }"
-        )  # many themes set borders and margins for every tree
+        )  # without borders and margins, which many themes set for every tree, both trees align
         self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.hide()
         for view in (self, self._above):
             view.setModel(model)
             view.setUniformRowHeights(True)
-            view.setTextElideMode(Qt.ElideMiddle)  # labels of operations often differ only at the end
+            view.setTextElideMode(Qt.ElideMiddle)  # the end stays visible, in which labels of operations often differ
             view.setAlternatingRowColors(True)
             view.setExpandsOnDoubleClick(False)
             view.setSelectionMode(QAbstractItemView.ExtendedSelection)
@@ -117,7 +117,7 @@ class FrozenTree(QTreeView):
             width, header = self.columnWidth(0), 0 if self.header().isHidden() else self.header().height()
             self._above.setColumnWidth(0, width)
             self._above.header().setFixedHeight(header)
-            seen = self.viewport().geometry()  # a theme can give the tree a border or a padding
+            seen = self.viewport().geometry()  # the widget without a border and a padding that a theme can add
             self._above.setGeometry(seen.left(), seen.top() - header, width, header + seen.height())
             self._above.verticalScrollBar().setValue(self.verticalScrollBar().value())
         self._above.setVisible(scrolled)

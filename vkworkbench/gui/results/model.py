@@ -57,7 +57,7 @@ class ResultsModel(QAbstractItemModel):
         return self.rows[branch - 1].rows[index.row()] if branch else self.rows[index.row()]
 
     def index(self, row: int, column: int, parent=QModelIndex()):  # noqa: B008 - Qt's default
-        # This check is faster than Qt's `hasIndex`, which calls both counts in Python for every cell.
+        # This check is faster than Qt's `hasIndex`, which calls rowCount() and columnCount() in Python for every cell.
         if not (0 <= row < self.rowCount(parent) and 0 <= column < len(self.columns)):
             return QModelIndex()
         return self.createIndex(row, column, parent.row() + 1 if parent.isValid() else 0)
@@ -90,7 +90,8 @@ class ResultsModel(QAbstractItemModel):
             return as_html(_tooltip(row, column))
         if role == VALUE:
             return column.value(row)
-        if role == Qt.AccessibleTextRole and column.key == OPERATION and row.is_warned:  # screen readers see no icon
+        # Screen readers cannot read the warning icon, so they get the text of the first notice.
+        if role == Qt.AccessibleTextRole and column.key == OPERATION and row.is_warned:
             return f"{row.label}: {row.notices[0].text}"
         if role == Qt.TextAlignmentRole:
             value = column.value(row)

@@ -38,7 +38,8 @@ from vkworkbench.gui.results.model import VALUE, ResultsModel, ResultsOrder
 from vkworkbench.gui.results.rows import Row, rows_of
 from vkworkbench.report import Cancelled, is_switched_off
 
-_MAX_WIDTH = {"operation": 260, "warnings": 420, "notes": 420}  # px; tooltips show longer texts in full
+# Maximum widths of columns, px; tooltips show texts in full that do not fit.
+_MAX_WIDTH = {"operation": 260, "warnings": 420, "notes": 420}
 _MIN_LINES = 3  # minimum height of tree and details, in lines of text
 
 
@@ -50,7 +51,7 @@ class ResultsDock(QDockWidget):
         self.setObjectName(docks.RESULTS)
         self._findings: list[findings.Finding] = []
         self._following = False  # whether the program, not the user, is changing the rows and their selection
-        self._opened: set[str] = set()  # targets of the links in the details whose contents are shown
+        self._opened: set[str] = set()  # targets of the links in the details that the user has opened, such as "Why?"
         self._stale = single_shot(self.refresh, self)
         self._selected = single_shot(self._follow, self)
 
@@ -60,7 +61,7 @@ class ResultsDock(QDockWidget):
         self.order.setSortRole(VALUE)
         self.tree = FrozenTree(self.order, copy=self._copy, enter=self._look_at)
         self.tree.setSortingEnabled(True)
-        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # the order of posting, until the user sorts the rows
+        self.tree.sortByColumn(-1, Qt.AscendingOrder)  # keep the order of posting until the user sorts by a column
         self.tree.selectionModel().selectionChanged.connect(self._select)
         self.tree.show_menus(of_titles=lambda: self.columns, of_rows=lambda: self.row_menu)
         self.tree.setAccessibleName(translate("Vk_Results", "Jobs and Operations"))
@@ -72,7 +73,7 @@ class ResultsDock(QDockWidget):
         self.csv = self._action(translate("Vk_Results", "Export &CSV…"), lambda: self._export("csv"))
         self.json = self._action(translate("Vk_Results", "Export &JSON…"), lambda: self._export("json"))
         self.copy = self._action(translate("Vk_Results", "C&opy to Clipboard"), self._copy)
-        self._choices: list[QAction] = []  # one action for each column except the first
+        self._choices: list[QAction] = []  # actions that show or hide the columns, except the first column
         self.columns = self._columns_menu()
         self._show_columns()
         self.export = QMenu(translate("Vk_Results", "E&xport"), self)
@@ -109,7 +110,10 @@ class ResultsDock(QDockWidget):
         return action
 
     def _menu_of_rows(self) -> QMenu:
-        """Return the context menu of the rows. Its commands act on FreeCAD's selection, which follows the rows."""
+        """Return the context menu of the tree's rows.
+
+        The commands in the menu act on FreeCAD's selection, which contains the objects of the selected rows.
+        """
         menu = QMenu(self)
         for name in ("Vk_Analyze", "Vk_Clear", "Vk_GaussMap", "Vk_Simulate"):
             menu.addActions(Gui.Command.get(name).getAction())
@@ -150,7 +154,7 @@ class ResultsDock(QDockWidget):
 
     def _fit_columns(self) -> None:
         for number, column in enumerate(self.model.columns):
-            if self.tree.isColumnHidden(number):  # computing the costs of a hidden column can take long
+            if self.tree.isColumnHidden(number):  # computing a hidden column's simulation costs could take long
                 continue
             self.tree.resizeColumnToContents(number)
             self.tree.setColumnWidth(number, min(self.tree.columnWidth(number), _MAX_WIDTH.get(column.key, 1000)))
@@ -304,7 +308,10 @@ class ResultsDock(QDockWidget):
         self.details.verticalScrollBar().setValue(where)
 
     def _export(self, ending: str) -> None:
-        """Save all numbers of the results. If an operation has only a mark, analyse the document first."""
+        """Save all numbers of the results to a file.
+
+        If an operation has a mark in the tree but was not analysed in this session, analyse the document first.
+        """
         report = findings.report_of(self._findings)
         if report is None:
             try:

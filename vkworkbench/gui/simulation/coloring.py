@@ -29,7 +29,7 @@ from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.simulation.moment import Clock
 
 # RGB colours of the surfaces that n trajectories made, (n + 1, 3) uint8; (2, 3) if all trajectories have one colour.
-# A function instead returns the colour of each pixel.
+# For colours that differ within a surface, it is a function that returns the colour of each pixel.
 Colors = Union[np.ndarray, Callable[[ZBuffer], np.ndarray]]
 Entries = Tuple[Tuple[str, str], ...]
 
@@ -47,7 +47,7 @@ class Job:
     volumes : (n,) float64
         Removed volume of each trajectory, mm^3.
     seen : SeenModel or None
-        The model, seen as in the coloured image.
+        The model, seen in the view of the coloured image.
     awaited : bool
         Whether the image of the model is still being computed.
     tolerance : float

@@ -19,7 +19,10 @@ _LOW = 400  # minimum height for which the tab makes room, px; a lower tab hides
 
 
 class SimulateCommand(DocumentCommand):
-    """Simulate the selected job or operations, or the job of the active document. Ask which of several jobs."""
+    """Simulate the selected job or operations, or the job of the active document.
+
+    If the document has several jobs, the command asks for one of them.
+    """
 
     name = "Vk_Simulate"
     menu = QT_TRANSLATE_NOOP("Vk_Simulate", "Simulate Toolpaths")
@@ -39,7 +42,7 @@ class SimulateCommand(DocumentCommand):
         if len(jobs) > 1:
             labels = [
                 f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)
-            ]  # two jobs can have the same label
+            ]  # the numbers distinguish jobs with the same label
             title = translate("Vk_Simulate", "Simulate Toolpaths")
             text = translate("Vk_Simulate", "Choose the job to simulate:")
             choose(title, text, labels, lambda number: open_tab(jobs[number]), Gui.getMainWindow())

@@ -154,7 +154,7 @@ class KnownFaults:
         return translate("Vk_Simulate", "{} (X {} Y {} Z {} {})").format(self.text(fault), x, y, z, unit)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
-        """Return the warnings for the time line. A fault without a trajectory (missing stock) has no warning there."""
+        """Return the warnings for the time line, which shows no fault without a trajectory (missing stock)."""
         return tuple(
             Warned(
                 float(self.clock.ends[fault.trajectory + 1]),
@@ -171,7 +171,7 @@ class KnownFaults:
         self._publish()
 
     def follow(self, holds: bool) -> None:
-        """Record whether the document is unchanged (`holds`); only then show the faults in marks and results panel."""
+        """Show the faults in the marks and the results panel only while the document is unchanged (`holds`)."""
         self._holds = holds
         self._publish()
 

@@ -101,7 +101,7 @@ class Moment(QObject):
     def __init__(self, clock: Clock, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.clock = clock
-        self.seconds, self.done = clock.total, len(clock.cuts)  # begin with the finished part
+        self.seconds, self.done = clock.total, len(clock.cuts)  # a new simulation shows the finished part
         self.noticed: int | None = None
         self._played: float | None = None  # computer's time of the last picture, s; None while the playback is paused
 

@@ -124,7 +124,7 @@ class PartView(QWidget):
         self.setMinimumSize(160, 50)
         self.setSizePolicy(QSizePolicy.Expanding, QSizePolicy.Expanding)
         self.setFocusPolicy(Qt.StrongFocus)
-        self.setBackgroundRole(QPalette.Base)  # with this role, a theme's style sheet sets the background
+        self.setBackgroundRole(QPalette.Base)  # a theme's style sheet sets the background only of this role
         self.setAccessibleName(translate("Vk_Simulate", "Simulated Part"))
 
     @property
@@ -175,7 +175,7 @@ class PartView(QWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # without this call, the traceback of an error keeps the painter alive
+            painter.end()  # otherwise the traceback of an error would keep the painter active
 
     def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))
@@ -191,7 +191,7 @@ class PartView(QWidget):
             column, row, _ = project(np.array([self._place_shown]), wanted)[0]
             painter.setRenderHint(QPainter.Antialiasing)
             painter.setBrush(Qt.NoBrush)
-            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # two rings are visible on any surface
+            for color, width in (("#ffffff", 5), ("#d32f2f", 2.5)):  # red on white is visible on surfaces of any colour
                 painter.setPen(QPen(QColor(color), width * ratio))
                 painter.drawEllipse(QPointF(column, row), _RING * ratio, _RING * ratio)
         if self._measured:

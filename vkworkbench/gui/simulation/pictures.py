@@ -54,7 +54,7 @@ class Drawing:
         self.detail: Simulation | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self._coloring: Callable[[], Coloring] = _uncolored
-        # Keep the last result of both functions, because turning the view draws the same moment many times.
+        # Cache the last field and its colours, because turning the view draws the same moment many times.
         self._field, self._colors = lru_cache(maxsize=1)(_field_of), lru_cache(maxsize=1)(_colors_of)
 
     @property
@@ -96,7 +96,7 @@ class Drawing:
         return bool(self.job.model_shapes) and not self.simulated.is_finest
 
     def picture(self, moment: Moment, frame: Frame, background: tuple[int, int, int]) -> Picture:
-        """Return the picture of a moment, not yet drawn, as the user's settings in the controls require."""
+        """Return what to draw for a moment, by the user's settings in the controls; the caller draws the picture."""
         shown, chips = self.bar.chips.currentIndex(), None
         if shown != PART:
             cuts = self.clock.cuts
@@ -115,7 +115,7 @@ class Drawing:
         )
 
     def finest_for(self, frame: Frame) -> Simulation | None:
-        """Return the detail if it covers the whole image; otherwise the finest simulation of the whole stock.
+        """Return the simulation of a part of the stock (detail) if it covers the image; else the finest of the whole.
 
         The colouring by differences from the model needs the simulation of the whole stock.
         """
@@ -247,7 +247,7 @@ class Pictures(QObject):
         self._smoothing = Background(self, _LOOK)
         self._rest = single_shot(self._smooth, self, _REST)
         self._changed = False  # whether moment, view or settings have changed since the last picture was begun
-        self._legend: Callable[[], Entries] | None = None  # the legend that is shown
+        self._legend: Callable[[], Entries] | None = None  # returns the entries of the legend that is shown
 
     @property
     def is_current(self) -> bool:

@@ -226,7 +226,7 @@ class Player(QWidget):
         self.state.show_end(self.job.remarks, error)
 
     def _take(self, done: Simulated | Findings) -> None:
-        if self.simulation is None:  # recognise once, when the first simulation is finished
+        if self.simulation is None:  # recognise the strategies only once, after the first simulation
             self._recognize()
         self.drawing.take(done)
         if isinstance(done, Simulated):
@@ -353,10 +353,10 @@ class Player(QWidget):
     def ask(self, surface: Surface) -> None:
         """Respond to a click on a surface.
 
-        Measure it if the user is measuring. Otherwise go to the moment at which the surface was made, and select the
-        operation that made it.
+        If the user is measuring, measure the point of the surface. Otherwise go to the moment at which the surface was
+        made, and select the operation that made it.
         """
-        if self.simulation is None:  # the shown scene comes from reading the job
+        if self.simulation is None:  # the image is still the preview from reading the job
             return
         if self.scene_bar.measure.isChecked():
             self._measure(surface.place)

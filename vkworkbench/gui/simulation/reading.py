@@ -61,7 +61,7 @@ class Reading(QWidget):
         self._busy = Busy(self._background)
         self._layout.addWidget(self._busy)
         self._background.start(self._text(), self._work, self._take, self._ended)
-        QTimer.singleShot(0, self._copy_on)  # delayed until `failed` is connected
+        QTimer.singleShot(0, self._copy_on)  # delayed, because the caller first has to connect the signal `failed`
 
     def end(self) -> None:
         """Stop reading."""
@@ -88,7 +88,8 @@ class Reading(QWidget):
             cuts.append(cut)
             begin = time.perf_counter()
             if begin >= due and len(cuts) < len(self.copy.names):
-                with suppress(Unusable):  # the operations read so far have no toolpath, or there is too little memory
+                # There is no preview if the operations read so far have no toolpath, or if memory is too short.
+                with suppress(Unusable):
                     yield _preview(self.copy.job(cuts), self._budget, going_on)
                 due = time.perf_counter() + _PAUSE * (time.perf_counter() - begin)
 

@@ -37,11 +37,11 @@ ABOVE = (0.0, 0.0, -1.0)
 # Minimum vertical component of the view's unit direction, for which a detail is simulated. A flatter view shows most of
 # the stock, so that a detail would not be finer than the whole.
 _FLATTEST = 0.2
-# A detail is simulated only if the size of its pixels is at most this share of the shown simulation's. The second
-# number is the width of the margin around the visible part of the stock, in pixels of the detail.
+# _FINER: a detail is simulated only if its pixel size is at most this share of the shown simulation's pixel size.
+# _MARGIN: width of the detail's margin around the visible part of the stock, in pixels of the detail.
 _FINER, _MARGIN = 0.7, 3
-# Number of rays of the coarse simulation, as a share of the rays of the finest simulation. The second number is the
-# minimum number of rays of every simulation: with fewer rays the part cannot be recognised.
+# _COARSE: number of rays of the coarse simulation, as a share of the rays of the finest simulation.
+# _FEWEST: minimum number of rays of every simulation; with fewer rays the user cannot recognise the part.
 _COARSE, _FEWEST = 1 / 25, 2000
 
 
@@ -174,7 +174,7 @@ class Simulating:
     def _simulate(self, view: View, is_finest: bool, going_on: Callable[[], None]) -> Simulated:
         done = simulate_read(self.job, view, self.budgets.memory, self._reported(going_on))
         zbuffer = done.zbuffer
-        zbuffer.surface.prepare()  # here, so that Qt's main thread does not have to compute it
+        zbuffer.surface.prepare()  # compute the surface in this thread, because Qt's main thread would take long
         model = self.job.model if is_finest else None
         seen = None if model is None else SeenModel(model, zbuffer.frame, going_on)
         seconds = time.perf_counter() - self._began

@@ -115,7 +115,7 @@ class SimulationTab(KeyedWidget):
             QTimer.singleShot(0, self.come_to_front)
 
     def window_of(self) -> QWidget:
-        """Return the tab in FreeCAD's window."""
+        """Return the sub-window that contains this tab in FreeCAD's main window."""
         return self.parentWidget() or self
 
     def showEvent(self, event) -> None:
@@ -168,8 +168,8 @@ class SimulationTab(KeyedWidget):
             QTimer.singleShot(0, self.window_of().close)
 
     def _compare(self) -> None:
-        """Compare the document with the simulated job soon. Until then, marks and results panel show no faults."""
-        if self.player is not None:  # otherwise the job is compared as soon as it has been read
+        """Compare the document with the simulated job soon; until then, hide the faults in marks and results panel."""
+        if self.player is not None:  # a job that is still being read is compared as soon as it has been read
             self.player.known.follow(False)
             self._soon.start()
 

@@ -30,10 +30,12 @@ from vkworkbench.gui.qt.plain_text import lines, show_tooltip
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.widgets import KeyedWidget
 
-_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8  # heights in px, from top to bottom; a low widget has a lower curve
+# Heights of the curve, the air cuts, the operations and the margin, px, from top to bottom. A low widget has a lower
+# curve.
+_CURVE, _AIR, _BLOCKS, _BELOW = 34, 4, 20, 8
 _MIN_CURVE = 12  # minimum height of the curve, px
-_MARK = 5.0  # px; half the width of a warning triangle
-_APART = 5  # px; lines separate the trajectories if their mean width is larger than this
+_MARK = 5.0  # half the width of a warning triangle, px
+_APART = 5  # px; lines are drawn between the trajectories if their mean width on the time line is larger than this
 _ZOOM = 1.4  # zoom factor for each notch of the mouse wheel
 _MAX_WARNINGS = 10  # upper limit for the number of warnings in a tooltip
 _MIN_SPAN = 1e-6  # smallest time range to which the user can zoom, as a share of the job's time
@@ -107,7 +109,7 @@ class TimeLine(KeyedWidget):
         self._warned: tuple[Warned, ...] = ()
         self._ends = self._volumes = self._air = np.empty(0)
         self._curve: tuple[QSize, QPolygonF, np.ndarray] | None = (
-            None  # the widget's size, the area below the curve, and the share of air cuts by column
+            None  # cache: the widget's size, the area below the curve, and each pixel column's share of air cuts
         )
         self.keys = {key: partial(self._move_on, share) for key, share in _KEYS.items()}
         self.setMinimumHeight(_MIN_CURVE + _AIR + _BLOCKS + _BELOW)

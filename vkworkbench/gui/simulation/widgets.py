@@ -220,7 +220,7 @@ class StateLine(OneLine):
         self._say(working.format(user().share(simulating.share)), cost)
 
     def show_simulated(self, done: Simulated) -> None:
-        """Set the size and the cost of a simulation, which the tooltip shows from the next text on."""
+        """Store the size and the cost of a simulation, which the tooltip shows together with the next text."""
         zbuffer = done.simulation.zbuffer
         self._cost = translate("Vk_Simulate", "{} × {} pixels of {}, {} traces, {}, simulated in {}").format(
             user().count(zbuffer.frame.width), user().count(zbuffer.frame.height),

@@ -22,7 +22,8 @@ def panels() -> list[QWidget]:
     """Return the open panels of FreeCAD's simulators whose widgets can be used. All panels have the same Qt name.
 
     FreeCAD 1.x keeps closed panels, and PySide can confuse widgets of the next panel with deleted widgets at the same
-    address. Then FreeCAD reports that its command failed, and the panel is not in the result.
+    address. FreeCAD reports that its command failed if it finds such a deleted widget in its panel; the result does not
+    contain that panel.
     """
     return [
         panel
@@ -32,12 +33,15 @@ def panels() -> list[QWidget]:
 
 
 def simulator_of(panel: QWidget) -> str:
-    """Return the name of the simulator with this panel. Only the legacy simulator's has a button for fast-forward."""
+    """Return the name of a panel's simulator: only the panel of the legacy simulator has a fast-forward button."""
     return "OpenGL" if panel.findChild(QToolButton, "toolButtonFF") is None else "legacy"
 
 
 def chosen_in(panel: QWidget) -> tuple[object, list]:
-    """Return the job and the ticked operations in a simulator's panel; no operations if its list is not the job's."""
+    """Return the job and the ticked operations in a simulator's panel.
+
+    If the panel's list and the job have different numbers of operations, no operations are returned.
+    """
     jobs = FreeCAD.ActiveDocument.findObjects("Path::FeaturePython", "Job.*")
     job = jobs[panel.findChild(QComboBox, "comboJobs").currentIndex()]
     operations = [obj for obj in freecad.OPERATIONS.of(job).OutList if is_active(obj)]

@@ -87,7 +87,7 @@ class Line(QFrame):
 class OpenPanel(QObject):
     """Shows the warning while a simulator's panel is open, and updates it when the user ticks other operations.
 
-    The parent of this object is the warning line. The object keeps no reference to the panel, see `widgets`.
+    The warning line is the Qt parent of this object. The object keeps no reference to the panel, see `widgets`.
     """
 
     def __init__(self, panel: QWidget, simulator: str) -> None:
@@ -99,8 +99,9 @@ class OpenPanel(QObject):
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
-        self._changed = single_shot(self._say, self)  # delayed, because all operations can be ticked at once
-        self._open = QTimer(self)  # a signal of the panel is not used, because PySide would keep the deleted widget
+        self._changed = single_shot(self._say, self)  # updates once if the user ticks all operations with one click
+        # A timer, because PySide would keep the closed panel's widget if a signal of the panel were connected.
+        self._open = QTimer(self)
         self._open.timeout.connect(self._look)
         self._open.start(_LOOK)
         panel.findChild(QListWidget, "listOperations").itemChanged.connect(lambda item: self._changed.start())

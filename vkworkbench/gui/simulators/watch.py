@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Notice that the user starts one of FreeCAD's simulators. This module imports numpy only after such a start.
+"""Notice that the user starts one of FreeCAD's simulators. Only the start of a simulator makes this module load numpy.
 
 Menus, drop-down buttons and macros can start a simulator, and some of these starts trigger no action of a command. A
 task panel always opens, so this module watches FreeCAD's task view for a new child widget, which each task adds.

@@ -26,7 +26,7 @@ class StrategiesCommand(DocumentCommand):
     keys = "V, C"
 
     def GetResources(self) -> dict:
-        return {**super().GetResources(), "Checkable": False}  # the button is not checked at first
+        return {**super().GetResources(), "Checkable": False}  # a checkable button whose initial state is unchecked
 
     def Activated(self, checked: int) -> None:
         document = FreeCAD.ActiveDocument

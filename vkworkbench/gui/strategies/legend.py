@@ -15,9 +15,9 @@ from vkworkbench.gui.qt.sentences import strategy_name
 from vkworkbench.gui.qt.text import translate
 
 _PAPER, _INK = "#f7f7f7", "#1b1b1b"  # colours of the legend's background and text
-_SAMPLE = 26  # length of a sample line, px
+_SAMPLE = 26  # length of the line that shows a strategy's colour, px
 _GAP, _MARGIN = 8, 12  # distances within the legend, px
-_WIDTH = 3  # width of a sample line, px
+_WIDTH = 3  # width of the line that shows a strategy's colour, px
 
 
 class Legend:
@@ -58,7 +58,8 @@ def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:
 
     FreeCAD's command "Fit all" ignores the nodes.
     """
-    node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()  # FreeCAD defines this node class
+    # FreeCAD defines this node class, so that the Python package coin has no constructor for it.
+    node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
     node.getField("mode").set("EXCLUDE_BBOX")
     root = coin.cast(node, "SoGroup")
     root.setName("VkLegend")

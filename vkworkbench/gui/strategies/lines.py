@@ -17,12 +17,12 @@ from vkworkbench.gui.qt.colors import RAPID
 from vkworkbench.gui.qt.names import QColor
 
 _NAME = "VkStrategies"
-_WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # px
-_DEPTH = 0.9995  # end of OpenGL's depth range; if it is below 1, these lines are drawn in front of FreeCAD's lines
+_WIDTH, _SELECTED_WIDTH, _RAPID_WIDTH = 3, 6, 1  # widths of lines, px
+_DEPTH = 0.9995  # end of OpenGL's depth range; a value below 1 draws the coloured lines in front of FreeCAD's lines
 _SKETCHED = 20_000  # a toolpath with more trajectories is first drawn as a sketch with this number of trajectories
 _CELLS = 200  # number of cells of the sketch along its longest side
 _BATCH = 20_000  # number of points that are converted to Python numbers in one step
-_ORIGIN = ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0})  # FreeCAD begins every toolpath here
+_ORIGIN = ("G0", {"X": 0.0, "Y": 0.0, "Z": 0.0})  # FreeCAD draws every toolpath from the origin
 _STRATEGIES = tuple(Strategy)
 
 
@@ -52,7 +52,7 @@ def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
     Unusable
         If the operation has too many trajectories.
     Cancelled
-        Raised by `going_on`, which is called between steps.
+        Raised by `going_on`, which is called between two steps of the computation.
     """
     commands = source.path.Commands
     going_on()
@@ -117,7 +117,7 @@ def _strips(segments: np.ndarray) -> np.ndarray:
 
 
 def _listed(array: np.ndarray, going_on: Callable) -> list:
-    """Return an array as a list. The array is converted in small steps, because a step holds the GIL."""
+    """Return an array as a list, converted in small steps, because each step holds the GIL and blocks the window."""
     found: list = []
     for first in range(0, len(array), _BATCH):
         going_on()

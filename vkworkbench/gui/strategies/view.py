@@ -116,7 +116,7 @@ class _Drawer:
         self.draw(())
 
     def _give_up(self) -> None:
-        """Stop drawing if the button was pressed between two batches."""
+        """Stop drawing if the user pressed the button to cancel after one batch had ended and before the next began."""
         if self.works:
             self._ended(Cancelled("given up"))
 

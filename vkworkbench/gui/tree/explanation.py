@@ -51,7 +51,7 @@ def _title(record: Record) -> str:
 
 def _machining(record: Record) -> str:
     length = user().length(record.length)
-    if not record.machining_seconds:  # otherwise the text would be "at least 0 s"
+    if not record.machining_seconds:  # do not give an unknown machining time as "at least 0 s"
         return translate("Pills", "Cutting length: {length}.").format(length=length)
     time = user().clock(record.machining_seconds)
     if record.left_out:

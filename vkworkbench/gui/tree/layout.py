@@ -68,13 +68,13 @@ class Layout:
     def __init__(self, metrics) -> None:
         self.text, self.pieces, self.needed = "", [], 0
         self._metrics = metrics
-        self._space = metrics.horizontalAdvance(100 * _SPACE) / 100  # px; the width of one space would be rounded
+        self._space = metrics.horizontalAdvance(100 * _SPACE) / 100  # px; Qt would round the width of one space
 
     def add(self, kind: str, text: str, color: str, ink: str = TEXT) -> None:
         """Add a piece, and a gap in the text over which the piece is painted."""
         self._part()
         left, metrics = self._metrics.horizontalAdvance(self.text), self._metrics
-        if kind == "outlined":  # Qt's style paints the text, in the usual colour of texts
+        if kind == "outlined":  # the pill's text is part of the cell's text, which Qt's style paints in its own colour
             padding = _SPACE * math.ceil(PADDING / self._space)
             self.text += f"{padding}{text}{padding}"
         else:
@@ -175,7 +175,7 @@ def pill_text(record: Record) -> str:
     """Return the text of a mark's pill, in the user's language."""
     if record.strategy is None:
         one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
-        times = f" x{record.fixtures}" if record.fixtures > 1 else ""  # a job with several work offsets
+        times = f" x{record.fixtures}" if record.fixtures > 1 else ""  # e.g. "x2" for a job with two work offsets
         return (one if record.operations == 1 else more).format(user().count(record.operations)) + times
     name = kind_of(record)
     return f"{name} {user().share(record.confidence)}" if is_unsure(record) else name

@@ -42,7 +42,10 @@ class Notice:
 
 
 def notices_of(record: Record, chosen: Preferences) -> list[Notice]:
-    """Return the notices of an operation or a job, the most severe first. Warnings and errors have a sign."""
+    """Return the notices of an operation or a job, the most severe first.
+
+    For a warning or an error, the mark in the tree has a sign.
+    """
     return sorted(_notices(record, chosen), key=lambda notice: -notice.level)
 
 
@@ -76,7 +79,8 @@ def _notices(record: Record, chosen: Preferences) -> Iterator[Notice]:
             yield Notice(Level.NOTE, sentence(slow))
     for caution in record.cautions:
         serious = is_serious(caution, chosen)
-        if not (serious and caution.code == "long-play" and longer is not None):  # the caution repeats `longer`
+        # The notice `longer` already says what the caution about a long playback would repeat.
+        if not (serious and caution.code == "long-play" and longer is not None):
             yield Notice(_level(caution) if serious else Level.NOTE, sentence(caution.what))
 
 

@@ -61,7 +61,7 @@ class PillDelegate(QStyledItemDelegate):
         margin = style.pixelMetric(QStyle.PM_FocusFrameHMargin, None, option.widget) + 1
         area = style.subElementRect(QStyle.SE_ItemViewItemText, shown, option.widget)
         room = area.width() - 2 * margin
-        if option.widget:  # the column can be wider than the tree
+        if option.widget:  # of a column that is wider than the tree, only the visible part has room for the mark
             room = min(room, option.widget.viewport().width() - area.left() - 2 * margin)
         layout = next((one for one in found if one.needed <= room), found[-1])
         shown.text = layout.text
@@ -157,7 +157,7 @@ _PAINTERS = {
 
 
 def _objects_of(index) -> list:
-    """Return the marked objects that a cell of the tree could show: those with its label, description and document."""
+    """Return the marked objects that have the label, description and document of a cell in the tree."""
     root = index.sibling(index.row(), 0)
     label, description = root.data(), index.data()
     above = []  # FreeCAD 0.20 has a root item "Application" above the documents
