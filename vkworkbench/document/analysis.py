@@ -223,7 +223,7 @@ def _analysed(
     if inches:
         remarks.append(Message("inches-as-millimetres"))
     cuts = found.strategy is not Strategy.EMPTY
-    if not cuts:  # replace the remarks on tool and stock, which do not explain why there are no cuts
+    if not cuts:  # report why there are no cuts, instead of the remarks on tool and stock
         remarks = _why_empty(reading, toolpath)
     elif tool and not stock:
         remarks.append(Message("box-of-cuts"))

@@ -23,7 +23,7 @@ class Upkeep(Watcher):
     def slotRecomputedDocument(self, document) -> None:
         super().slotRecomputedDocument(document)
         if not FreeCAD.GuiUp and preferences.read().analyze_after_recompute:
-            from vkworkbench.document import analysis  # this import loads FreeCAD's simulators
+            from vkworkbench.document import analysis  # imported late, because the module loads FreeCAD's simulators
 
             idle.work(analyzing_again(document, analysis.analyze))
 

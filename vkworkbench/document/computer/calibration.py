@@ -136,7 +136,7 @@ def _measure(going_on: Callable[[], object]) -> Calibration:
 
 
 def _on_all_cores(speed: Speed) -> Speed:
-    """Return the speed of as many processes as can work at once, from the speed of one process."""
+    """Return the speed with all processes that this computer can run at once, from the speed of one process."""
     return replace(speed, processes=processes())
 
 
@@ -151,7 +151,7 @@ def _save(measured: Calibration) -> None:
         fresh.write_text(json.dumps({**_records(), _key(): {**record, "date": measured.date}}, indent=1))
         fresh.replace(path)
     finally:
-        with suppress(OSError):  # after `replace` the file does not exist under this name
+        with suppress(OSError):  # after a successful `replace`, the temporary file does not exist
             fresh.unlink()
 
 
@@ -162,7 +162,7 @@ def _path() -> Path:
 def _records() -> dict:
     try:
         records = json.loads(_path().read_text())
-        json.dumps(records)  # records nested too deep cannot be written again and are ignored
+        json.dumps(records)  # fails for lists that are nested too deep, which `_save` could not write again
     except (OSError, *_UNREADABLE):
         return {}
     return records if isinstance(records, dict) else {}

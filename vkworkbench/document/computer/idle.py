@@ -16,7 +16,7 @@ _calls: dict[str, Callable[[], None]] = {}
 
 
 def use(soon: Callable[[Callable[[], None]], None]) -> None:
-    """Run work in short slices from now on. `soon` is a function that lets Qt's event loop call its argument."""
+    """Run work in short slices instead of at once; `soon` is a function that lets Qt's event loop call its argument."""
     global _soon
     _soon = soon
 
@@ -45,7 +45,7 @@ def _go_on() -> None:
         while _works and time.monotonic() < until:
             _step()
     finally:
-        if _works:  # iterators remain: the time slice is over, or a step failed
+        if _works:  # iterators still wait, because the time slice is over or a step failed
             _go_on() if _soon is None else _soon(_go_on)
 
 

@@ -39,7 +39,7 @@ def set_clamps(job, clamps: Iterable) -> None:
         If an object has no closed solid.
     """
     clamps, name = list(clamps), freecad.CLAMPS.name
-    clamp_solids(clamps)  # raises `Unusable` before the document changes
+    clamp_solids(clamps)  # called before the document is changed, because it raises `Unusable` for unusable clamps
     with transaction(job.Document, "Set Clamps"):
         if not freecad.CLAMPS.is_in(job):
             job.addProperty(

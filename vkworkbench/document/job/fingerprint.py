@@ -29,7 +29,7 @@ _OFFSET = 3.7e-4
 
 #: Maximum number of commands that are converted to text in one call, which holds the GIL for a tenth of a second.
 AT_ONCE = 50_000
-_PIECE = 10_000  # number of commands of a longer path that are converted to text together
+_PIECE = 10_000  # number of commands that one call converts to text if a path is longer than AT_ONCE
 
 # Systems that forbid SHA-1 for security accept it with the argument `usedforsecurity`, which Python 3.8 does not have.
 _NOT_FOR_SECURITY = {"usedforsecurity": False} if sys.version_info >= (3, 9) else {}
@@ -59,7 +59,7 @@ def finding_path_fingerprint(obj) -> Iterator[None]:
 
 
 def text_of(path, commands: list | None = None) -> str:
-    """Return the G-code of a path. A given copy of its commands (`commands`) saves time for a long path."""
+    """Return the G-code of a path. For a long path, passing a copy of the path's commands saves time."""
     return "".join(_texts(path, commands))
 
 
@@ -173,8 +173,8 @@ class Settings:
     Parameters
     ----------
     opened : bool
-        Whether the document was just opened. FreeCAD then adds a stock to a job without one, so a fingerprint
-        without a stock is accepted, too.
+        Whether the document was just opened. Because FreeCAD adds a stock to each opened job without a stock, a
+        fingerprint without a stock is valid, too.
     """
 
     def __init__(self, *, opened: bool = False) -> None:

@@ -7,7 +7,8 @@ from vkworkbench import freecad
 from vkworkbench.core import Family, Recognition, Strategy
 from vkworkbench.document.job.operations import kind
 
-_ALONG = {Family.AROUND, Family.STROKES}  # families of a contour, which can be open or cut in many strokes
+# Families of strategies that fit an operation along a contour, which can be open or cut in many strokes.
+_ALONG = {Family.AROUND, Family.STROKES}
 # An engraving follows any drawing. A slot is cut back and forth, one way, or repeatedly.
 _ANY_LINES = {Family.ROWS, *_ALONG}
 # Families of strategies that fit FreeCAD's operations without patterns. Strategies of one family do not contradict each
@@ -34,7 +35,7 @@ MIN_CONFIDENCE = 0.8  # minimum confidence for a contradiction; lower: wrong rec
 def contradicts(name: str | None, found: Recognition) -> bool:
     """Return whether a toolpath surely contradicts the kind or the pattern with this name.
 
-    `benchmarks/intent.py` prints how often the answer is right.
+    `benchmarks/intent.py` prints how often this function is right.
     """
     meant = _KINDS.get(name) or _PATTERNS.get(name)
     few = meant != {Family.HOLES} and found.passes is not None and found.passes < MIN_PASSES
@@ -47,9 +48,9 @@ def contradicts(name: str | None, found: Recognition) -> bool:
 
 
 def name_of_intent(obj) -> str | None:
-    """Return FreeCAD's name for an operation's kind, or for its pattern if the kind implies no strategy; else None.
+    """Return FreeCAD's name for an operation's kind; if many strategies fit the kind, the name of its pattern or None.
 
-    FreeCAD's experimental waterline operation can clear each depth with rows; then None is returned.
+    None is also returned for an experimental waterline operation of FreeCAD that clears each depth with rows.
     """
     if kind(obj) in ("dressup", "array"):  # dress-ups and arrays have no pattern
         return None

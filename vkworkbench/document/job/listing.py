@@ -20,12 +20,12 @@ class Listing:
     text : str
         G-code of the path, one line for each command.
     commands : sequence of Command
-        The path's commands, from which the lines are made if comments contain line breaks.
+        The path's commands. If comments contain line breaks, the lines are made from the commands, not from the text.
 
     Attributes
     ----------
     in_minutes : bool
-        Whether feeds are in mm/min, as in programs. Feeds of FreeCAD's own operations are in mm/s.
+        Whether feeds are in mm/min, as in NC programs. Feeds of FreeCAD's own operations are in mm/s.
     """
 
     def __init__(self, text: str, commands: Sequence = ()) -> None:

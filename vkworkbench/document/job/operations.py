@@ -52,7 +52,8 @@ def kind(obj) -> str | None:
     if freecad.TOOL_NUMBER.is_in(obj) and freecad.SPINDLE_SPEED.is_in(obj):
         return "controller"
     if _bases(obj):
-        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"  # FreeCAD posts the base, too
+        # FreeCAD posts an array (or a copy) and its base, but not the base of a dress-up.
+        beside = freecad.COPIES.is_in(obj) or freecad.operation_name(obj) == "Copy"
         return "array" if beside else "dressup"
     return "operation"
 
@@ -94,7 +95,7 @@ def is_gone(what) -> bool:
     """Return whether a value is a closed document or a deleted object. A macro can still hold such a value."""
     try:
         return not is_document(what) and is_object(what) and not is_there(what)
-    except ReferenceError:  # every attribute of a closed document raises it
+    except ReferenceError:  # reading any attribute of a closed document raises this error
         return True
 
 
@@ -215,7 +216,8 @@ def _of_document(document) -> Iterator[Operation]:
     for obj in document.Objects:
         if is_operation(obj):
             job = job_of(obj)
-            yield from _with_bases(obj, job, counted=job is None)  # a job posts all operations in its group
+            # An operation of a job that was not found above is not in the job's group, and the job does not post it.
+            yield from _with_bases(obj, job, counted=job is None)
 
 
 def _of_object(obj, jobs: dict) -> Iterator[Operation]:
@@ -261,7 +263,7 @@ def _with_bases(obj, job, counted: bool) -> Iterator[Operation]:
 
 
 def _bases(obj) -> list:
-    """Return the bases of a dress-up or an array. The Base of an ordinary operation lists faces of the model."""
+    """Return the bases of a dress-up or an array; empty for an ordinary operation, whose Base lists model faces."""
     base = freecad.BASE.of(obj)
     candidates = base if isinstance(base, (list, tuple)) else [base]
     return [b for b in candidates if is_object(b) and has_toolpath(b)]

@@ -19,7 +19,7 @@ class PathPrints:
 
     def __init__(self) -> None:
         self._watches = False
-        # Fingerprints by the names of document and object. While a fingerprint is computed, a token takes its place.
+        # Fingerprints by the names of document and object; instead of a fingerprint that is being computed, its token.
         self._kept: dict[str, dict[str, str | object]] = {}
 
     def of(self, obj) -> str | None:

@@ -19,7 +19,8 @@ import numpy as np
 
 from vkworkbench.report import OperationReport
 
-# Upper limits for the number of stored rows and for their trajectories in total; about half a GB of memory.
+# Upper limits for the number of operations whose results are stored, and for the total number of their trajectories.
+# Together the results need at most about half a GB of memory.
 _MAX_ROWS = 5_000
 _MAX_TRAJECTORIES = 10_000_000
 

@@ -135,7 +135,8 @@ def _with_bodies(tool: Tool, bit) -> Tool:
     name = _shape_name(bit)
     edge = freecad.CUTTING_EDGE_HEIGHT.number(bit)
     if name not in _SHAPES or name in _SIMPLIFIED:
-        edge = None  # unknown, because the simulated shape cuts where the real tool has a neck
+        # The edge height of the simulated shape is unknown, because this shape cuts where the real tool has a neck.
+        edge = None
     elif edge and tool.shape == "vbit" and name not in _WHOLE_EDGE:
         edge += tool.rim
     sizes = {
@@ -181,7 +182,7 @@ def exact_box(shape) -> tuple[tuple, tuple]:
 
 
 def _corners(shape) -> tuple[tuple, tuple]:
-    if not shape.BoundBox.isValid():  # the shape is an empty compound
+    if not shape.BoundBox.isValid():  # true for a compound without shapes
         raise Unusable(Message("stock-without-volume"))
     box = shape.optimalBoundingBox(False)
     return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)

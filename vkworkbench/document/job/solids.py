@@ -26,9 +26,9 @@ _BEND = 0.5
 _MESHING, _PAUSE = 0.01, 0.001
 # Allowed rounding error, as a share: two volumes or lengths that differ by at most this share are equal.
 _ROUNDING = 1e-6
-_solids = ShapeCache(8)  # computing triangles is slow
+_solids = ShapeCache(8)  # a cache, because computing a shape's triangles is slow
 _forms = ShapeCache(16)
-_measures = ShapeCache(16)  # every operation of a job compares the stock with the model
+_measures = ShapeCache(16)  # a cache, because the analysis of every operation compares the stock with the model
 # Factor by which volumes and areas are multiplied before rounding. Without the factor, the volume of a stock with usual
 # lengths could be halfway between two rounded values.
 _FACTOR = 1.0037
@@ -50,7 +50,9 @@ def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
 
 
 def form_of_stock(job, box: Stock) -> tuple:
-    """Return the form of a job's stock for a fingerprint; empty for a box. The mesh that displays it has no influence.
+    """Return the form of a job's stock for a fingerprint; empty for a box.
+
+    The form does not depend on the mesh that displays the stock.
 
     Parameters
     ----------
@@ -191,13 +193,13 @@ def _mesh(shapes: Sequence) -> Mesh:
     for shape in shapes:
         lower, upper = map(np.array, exact_box(shape))
         deviation = max(_MIN_DEVIATION, _DEVIATION * float(np.linalg.norm(upper - lower)))
-        own = shape.copy(True, False)  # a copy, so that the mesh that displays the shape does not change
+        own = shape.copy(True, False)  # meshing the shape itself would change the mesh that displays it
         begun = time.monotonic()
         for face in own.Faces:  # one face in each call, because a call holds the GIL
             MeshPart.meshFromShape(face, LinearDeflection=deviation, AngularDeflection=_BEND)
             if time.monotonic() - begun > _MESHING:
                 time.sleep(_PAUSE)
                 begun = time.monotonic()
-        points, corners = own.tessellate(deviation)  # does not mesh again, but returns the meshes of the faces
+        points, corners = own.tessellate(deviation)  # this call only collects the meshes that the faces already have
         triangles.append(np.array([tuple(point) for point in points])[np.array(corners, int).reshape(-1, 3)])
     return Mesh(np.concatenate(triangles))

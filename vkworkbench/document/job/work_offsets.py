@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work offsets, such as G55, that the commands of a job select. A document does not contain their origins."""
+"""Work offsets, such as G55, that the commands of a job select; a document does not contain their positions."""
 
 from __future__ import annotations
 

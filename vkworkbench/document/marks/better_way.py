@@ -102,7 +102,10 @@ def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferenc
 
 
 def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cost | None, Message]:
-    """Return the cost of operations in a simulator, and the message "about"; "at least" if some costs are unknown."""
+    """Return the total cost of operations in a simulator, and a word that qualifies the cost.
+
+    The word is the message "about", or "at least" if the costs of some operations are unknown.
+    """
     (entry,) = [entry for entry in SIMULATORS if entry.name == simulator]
     costs = [record.costs[simulator] for record in fresh if simulator in record.costs]
     without_moves = sum(record.trajectories == 0 for record in fresh)

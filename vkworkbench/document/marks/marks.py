@@ -46,7 +46,7 @@ def read(obj) -> Record | None:
 
 
 def _kept(obj) -> Record | None:
-    """Return the stored mark of an object, which is the earlier mark if the operation was switched off since."""
+    """Return the stored mark of an object: for an operation that was switched off, its mark from before that."""
     return record.from_json(mark_properties.mark_data(obj))
 
 
@@ -81,7 +81,7 @@ def with_words(obj, words: str) -> str:
 
 
 def _segments(obj) -> Iterator[tuple[int, int]]:
-    """Yield the positions of the mark's texts in an object's description. Brackets that the user wrote are skipped."""
+    """Yield where texts of the mark begin and end in an object's description, without brackets that the user wrote."""
     if not (mark_properties.may_have_mark(obj) or is_marked(obj)):
         return
     written, own = mark_properties.text_written(obj), mark_properties.own_brackets(obj)
@@ -187,7 +187,7 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
         Returns the valid fingerprints of an operation's setting (tool and stock).
     path_changed, setting_changed : bool
         Whether the path or the setting has possibly changed since the last comparison. If the mark is outdated, or the
-        operation was switched off, both are compared anyway.
+        operation was switched off, path and setting are compared in any case.
 
     Returns
     -------
@@ -260,7 +260,10 @@ def _keep(obj, known: Record, chosen: Preferences, *, new: bool = False) -> None
 
 
 def _describe(obj, spans: list[tuple[int, int]], text: str) -> None:
-    """Replace the first span of a description by a text, and remove further spans. Without a span, append the text."""
+    """Replace the first text of the mark in a description by a new text, and remove the mark's other texts.
+
+    The parameter `spans` has the begin and end of each text. If it is empty, the new text is appended.
+    """
     label2 = obj.Label2
     for start, end in reversed(spans[1:]):
         label2 = label2[:start] + label2[end:]
@@ -278,7 +281,7 @@ def _set_description(obj, label2: str) -> None:
 
 
 def _is_locked(obj) -> bool:
-    """Return whether the description of an object cannot be written. Then the mark has properties but no text."""
+    """Return whether the description of an object is read-only, so that its mark has properties but no text."""
     driven = any(path.lstrip(".") == "Label2" for path, _ in obj.ExpressionEngine)
     return driven or "Immutable" in obj.getPropertyStatus("Label2")
 

@@ -50,7 +50,7 @@ def is_mark(obj, name: str) -> bool:
 
 
 def _has_earlier_mark(obj) -> bool:
-    """Return whether the property with the earlier name is a mark, by its group or by its data."""
+    """Return whether an object has a mark with the property's name of earlier versions, by its group or its data."""
     if not hasattr(obj, _EARLIER):
         return False
     if _group(obj, _EARLIER) == freecad.ADDED_GROUP:

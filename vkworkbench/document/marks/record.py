@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The data of a mark in the tree, which explain the result, follow the preferences, and give the total of a job."""
+"""The data of a mark in the tree: all results of an operation that tooltips, changed preferences and totals need."""
 
 from __future__ import annotations
 
@@ -193,7 +193,8 @@ def from_json(text: str) -> Record | None:
     """Return the record of a text from `as_json`; None for any other text, or for a newer format."""
     try:
         data = json.loads(text)
-        json.dumps(data, ensure_ascii=False).encode()  # FreeCAD crashes on a property with an unpaired surrogate
+        # Refuse texts with an unpaired surrogate, because FreeCAD crashes if a property contains such a text.
+        json.dumps(data, ensure_ascii=False).encode()
         return Record(
             strategy=None if data["strategy"] is None else Strategy(data["strategy"]),
             confidence=_share(data["confidence"]),

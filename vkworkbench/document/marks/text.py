@@ -39,7 +39,7 @@ def is_serious(caution: Caution, chosen: Preferences) -> bool:
 
 def is_warned(record: Record, chosen: Preferences) -> bool:
     """Return whether tree, tooltip and results show a warning for the simulator of the preferences."""
-    if is_switched_off(record):  # the user switched the operation off and needs no warning
+    if is_switched_off(record):  # an operation that the user switched off needs no warning
         return False
     if record.verdict is not None and not record.verdict.is_sound:
         return True

@@ -101,7 +101,7 @@ def comparing(
     settings : bool
         Whether tools, stocks or groups have possibly changed since the marks.
     opened : bool
-        Whether the document was just opened. FreeCAD then adds a stock to a job without stock; this change does not
+        Whether the document was just opened. The stock that FreeCAD adds to each opened job without a stock does not
         make a mark outdated.
     """
     settings_of = Settings(opened=opened).of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The depth to which an operation may cut into the model. Engraving, V-carving and deburring cut into it on purpose."""
+"""The depth to which an operation may cut into the model, as engraving, V-carving and deburring do on purpose."""
 
 from __future__ import annotations
 
@@ -48,7 +48,10 @@ def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
 
 
 def with_stroke_depth(operation: SimulatedOperation, cut: Cut, top: float) -> Cut:
-    """Return the cut of an operation. An imported engraving may cut to the depth of its strokes below `top`, mm."""
+    """Return the cut (toolpath and tool) of an operation, with an allowed depth if it is an imported engraving.
+
+    An imported engraving may cut to the depth of its strokes below `top`, the height of the engraved surface, mm.
+    """
     if not operation.imported or cut.allowed_depth:
         return cut
     found, _ = recognize_operation(cut.toolpath, cut.tool.diameter, True)

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Simulate a job along its tool axis. All reported facts come from this simulation, whatever view the user sees."""
+"""Simulate a job along its tool axis, for all results that are reported, such as gouges and collisions.
+
+The reported results do not depend on the view in which the user sees the part.
+"""
 
 from __future__ import annotations
 
@@ -53,7 +56,7 @@ class AlongAxis:
     seen: SeenModel | None
 
     def facts(self, tolerance: float, going_on: Callable[[], None] = lambda: None) -> JobFacts:
-        """Return the simulation's facts on operations and job, with the verdict on the job; see `core.zbuffer.facts`.
+        """Return what the simulation found in the operations, and the verdict on the job; see `core.zbuffer.facts`.
 
         `going_on` is called many times a second during most of the work. An exception from it ends the work.
         """

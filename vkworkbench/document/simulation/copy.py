@@ -60,9 +60,9 @@ class _Copied:
     placement: object
     tool: Tool | None
     vertical_feed: float
-    allowed_depth: float  # the attribute of `Cut` with this name
+    allowed_depth: float  # depth to which the operation may cut into the model, mm; see `Cut`
     simplified: Message | None  # the remark that a simpler shape is simulated instead of the tool
-    no_tool: Message | None  # why the tool is unknown
+    no_tool: Message | None  # the reason why the tool is unknown
 
 
 @dataclass(frozen=True, eq=False)
@@ -197,7 +197,7 @@ class JobCopy:
             same = have_equal_shapes(shapes_of_model(job), self._model) and have_equal_shapes(
                 shapes_of(self._clamps_of(job)), self._clamp_shapes
             )
-        except Unusable:  # for example, the objects now belong to several jobs, or the model has no volume
+        except Unusable:  # the document was changed, for example so that the objects belong to several jobs
             return False
         if not same or tuple(obj.Name for obj in objects) != self.names:
             return False

@@ -22,7 +22,7 @@ def mesh_of(triangles: np.ndarray) -> Mesh.Mesh:
     if not len(triangles):
         return Mesh.Mesh()
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "part.stl"  # FreeCAD reads a file many times faster than a list of triangles
+        path = Path(folder) / "part.stl"  # FreeCAD makes a mesh many times faster from a file than from a list
         write_stl(path, triangles)
         return Mesh.Mesh(str(path))
 
