@@ -22,7 +22,7 @@ from coarse import coarse_check
 from PySide import QtCore, QtGui
 from simulation_window import SMALL, Desk
 
-try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes
+try:  # PySide2 first, because FreeCAD crashes if PySide6 is imported while FreeCAD uses PySide2
     from PySide2.QtTest import QTest
 except ImportError:
     from PySide6.QtTest import QTest
@@ -77,7 +77,7 @@ def checked_coarsely():
 @pytest.fixture(scope="session", autouse=True)
 def coarse_legacy_simulator():
     """Start FreeCAD's legacy simulator with its coarsest mesh; its finest mesh has a million triangles."""
-    from make_example import cam  # stranger.py, which imports this file, does not find examples/
+    from make_example import cam  # not at the top, because stranger.py imports this file and does not find examples/
 
     module = cam("Main.Gui.Simulator")
     make_panel = module.CAMSimTaskUi.__init__
@@ -102,7 +102,7 @@ def restored_calibration():
 
 @pytest.fixture(autouse=True)
 def nothing_known(request):
-    """Forget the results of earlier analyses unless the test uses `marked` and the kept document is already marked."""
+    """Forget the results of earlier analyses, unless the test uses the kept document with the marks of an analysis."""
     if not ("marked" in request.fixturenames and request.getfixturevalue("kept_document").is_marked):
         RESULTS.clear()
 
@@ -182,16 +182,17 @@ class Window:
     def activate(self, workbench):
         Gui.activateWorkbench(workbench)
         self.settle()
-        # FreeCAD starts without a workbench, and then hides the dock of the tree.
+        # Show the tree's dock, which FreeCAD hides because it starts without a workbench.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
         for dock in self.find(QtGui.QDockWidget):
             if dock.objectName() in shown:
                 dock.setVisible(shown[dock.objectName()])
-                dock.raise_()  # in FreeCAD 1.x the task panel may cover the tree
-        for tabs in self.find(QtGui.QTabWidget, "combiTab"):  # FreeCAD 0.20; some workbenches turn to the tasks
+                dock.raise_()  # in FreeCAD 1.x the task panel can cover the tree
+        # In FreeCAD 0.20, choose the tab with the tree, because some workbenches choose the tab with the tasks.
+        for tabs in self.find(QtGui.QTabWidget, "combiTab"):
             tabs.setCurrentIndex(0)
         for bar in self.find(QtGui.QToolBar):
-            # In a separate row, the toolbar has room for all its buttons.
+            # Move the toolbar to a separate row, in which it has room for all its buttons.
             if bar.objectName() == "Toolpath Analysis" and not self.main.toolBarBreak(bar):
                 self.main.insertToolBarBreak(bar)
         self.settle()
@@ -500,7 +501,7 @@ def shipped(request, window):
     parameters = choose(pack) if pack.exists() else []
     if not pack.exists():
         application.setStyleSheet(sheet.read_text())
-    window.idle(1.0)  # FreeCAD applies a theme later; a wait for a change would fail for the theme at the start
+    window.idle(1.0)  # FreeCAD applies a theme later. Waiting for a change would fail for the theme already in use.
     yield request.param
     for parameter in parameters:
         set_parameter(*parameter)

@@ -60,7 +60,7 @@ def test_work_is_destroyed_in_the_windows_thread(window):
     window.wait(gc.isenabled)
 
 
-def test_busy_line_stays_between_pieces_of_work(window):
+def test_progress_line_stays_between_two_tasks(window):
     pieces, hidden = [], []
     background = Background()
     busy = Busy(background)

@@ -36,7 +36,8 @@ def test_first_analysis_shows_the_description_column(opened, window):
     assert f"⟦{count} operations" in opened.getObject("Job").Label2
     warned = f" {told} has a warning." if told == 1 else f" {told} have warnings." if told else ""
     warned += " The job has a warning." * jobs[0].is_warned
-    assert warned or freecad.version() < (1, 0)  # the legacy simulator has no problem with the example
+    # FreeCAD 0.20 has only the legacy simulator, which has no problem with the example.
+    assert warned or freecad.version() < (1, 0)
     if warned:
         warned += " Toolpath Results (V, R) lists them."
     assert window.main.statusBar().currentMessage() == f"{count} operations were analyzed.{warned}"
@@ -165,7 +166,7 @@ def test_esc_cancels_the_analysis_without_any_change(opened, window):
     QtCore.QTimer.singleShot(20, press_esc)
     window.click("Analyze Toolpaths")
     window.settle()
-    assert pressed and pressed[0]  # the operation's name was shown
+    assert pressed and pressed[0]  # the progress dialog showed the operation's name before Esc
     assert "cancelled" in window.main.statusBar().currentMessage()
     assert [(obj.Name, obj.Label2, tuple(obj.PropertiesList)) for obj in opened.Objects] == before
     assert opened.UndoCount == undo
@@ -181,7 +182,7 @@ def test_commands_are_in_freecads_own_workbench(opened, window):
     menus = [m for m in window.find(QtGui.QMenu) if m.title().replace("&", "") in ("CAM", "Path")]
     assert {"Analyze Toolpaths", "Clear Analysis"} <= set(menu_texts(menus[0]))
     own_toolbars = [t for t in window.find(QtGui.QToolBar) if t.isVisible()]
-    assert len(own_toolbars) > 5  # FreeCAD's own toolbars are still shown
+    assert len(own_toolbars) > 5  # the add-on's toolbar does not replace the toolbars of FreeCAD's workbench
     window.click("Analyze Toolpaths")
     window.wait(lambda: marked(opened))
 
@@ -209,7 +210,7 @@ def test_changed_operation_is_shown_as_outdated_in_the_tree(opened, window):
     window.wait(lambda: not window.descriptions()["Drill holes"].endswith("outdated⟧"))
 
 
-def test_marks_of_a_reopened_file_are_compared_with_it(opened, window, tmp_path):
+def test_marks_are_compared_with_operations_of_a_reopened_file(opened, window, tmp_path):
     vkworkbench.mark(vkworkbench.analyze(opened))
     stale = opened.getObjectsByLabel("Face")[0]
     stale.VkWorkbenchMark = stale.VkWorkbenchMark.replace(marks.read(stale).fingerprint, "of:another")

@@ -46,7 +46,7 @@ def assert_marks_are_seen(window, document, labels=("Face", "Adaptive pocket")):
         color = QtGui.QColor(marks.read(document.getObjectsByLabel(label)[0]).strategy.color).rgb()
         columns = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
         assert len(columns) > 20, label
-        assert columns[-1] < image.width() - 30, label  # the column is wide enough for pill and time
+        assert columns[-1] < image.width() - 30, label  # right of the pill, the column has room for the time
 
 
 def test_first_marks_are_visible_in_a_narrow_dock(untouched, opened, window):
@@ -77,7 +77,7 @@ def test_first_marks_are_visible_in_a_large_font(untouched, opened, window):
         for label in ("Face", "Adaptive pocket"):
             index = window.cell(label)
             needed = view.visualRect(index).left() + view.sizeHintForIndex(index).width()
-            assert needed <= view.viewport().width(), label  # the whole text is visible, with the time
+            assert needed <= view.viewport().width(), label  # the whole text of the mark fits in the tree
         window.screenshot("first-large-letters")
     finally:
         view.setFont(usual)
@@ -87,7 +87,7 @@ def test_first_marks_are_visible_when_a_hidden_tree_is_shown(untouched, opened, 
     untouched.hide()
     window.settle()
     window.analyze(opened)
-    assert window.dismiss() == []  # the hidden tree shows nothing yet
+    assert window.dismiss() == []  # the analysis shows no message although the tree is hidden
     untouched.show()
     untouched.raise_()  # the tasks may be a tab of the same dock
     window.wait(lambda: untouched.width() > 300)
@@ -95,7 +95,7 @@ def test_first_marks_are_visible_when_a_hidden_tree_is_shown(untouched, opened, 
     window.tree.expandAll()
     assert_marks_are_seen(window, opened)
     window.screenshot("first-hidden-combo-view")
-    untouched.hide()  # after the first marks, the width that the user chooses is kept
+    untouched.hide()  # showing the dock again must not change the width that the user chooses below
     window.main.resizeDocks([untouched], [250], QtCore.Qt.Horizontal)
     untouched.show()
     window.settle()
@@ -125,7 +125,7 @@ def test_first_marks_are_visible_in_a_small_window(untouched, opened, window):
         assert_marks_are_seen(window, opened)
         assert window.main.width() <= 1024 and window.main.height() <= 700
         view = widgets.area_of_views()
-        assert view.width() > 0.4 * window.main.width()  # the 3D view keeps most of the width
+        assert view.width() > 0.4 * window.main.width()  # the wider tree leaves enough room for the 3D view
         assert not any(one.isVisible() for one in window.find(QtGui.QDockWidget, "VkResults"))
         results, height = window.show_results(), view_of_tree(window)
         assert height >= 8

@@ -23,7 +23,7 @@ from vkworkbench.gui.qt import background
 from vkworkbench.gui.qt.colors import contrast
 from vkworkbench.language import ENGLISH
 
-try:  # in this order: where FreeCAD runs on PySide2, loading PySide6 beside it crashes
+try:  # PySide2 first, because FreeCAD crashes if PySide6 is imported while FreeCAD uses PySide2
     from PySide2.QtTest import QTest
 except ImportError:
     from PySide6.QtTest import QTest
@@ -68,7 +68,7 @@ def pixels(image):
 
 
 def same(picture, other):
-    return picture.tobytes() == other.tobytes()  # bytes, because pytest would print whole arrays
+    return picture.tobytes() == other.tobytes()  # if arrays differ, pytest would print them completely
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -104,14 +104,14 @@ def test_gauss_map_follows_the_selection(view, opened, window):
     shown = view.picture()
     select(labelled(opened, "Bore"))
     window.wait(lambda: view.title.text().startswith("Bore"))
-    assert np.abs(view.signature.level).max() >= 3  # the bore winds several times
+    assert np.abs(view.signature.level).max() >= 3  # the toolpath of the bore is a helix with several full turns
     assert not same(view.picture(), shown)
     window.screenshot("gauss-map-helix")
 
     shown = view.picture()
     Gui.Selection.clearSelection()
     window.settle()
-    assert same(view.picture(), shown)  # without a selection the picture stays
+    assert same(view.picture(), shown)  # without a selection, the panel still shows the last operation
 
     select(labelled(opened, "Drill holes"))
     window.wait(lambda: "No move cuts sideways" in view.title.text())
@@ -147,7 +147,7 @@ def test_slider_and_number_step_through_vectors(view, window):
     assert view.slider.value() == 2
     pictures.append(view.picture())
     assert not any(same(a, b) for a, b in zip(pictures, pictures[1:]))
-    # All three plots change.
+    # The step to another vector changes all three plots, which are side by side.
     changed = (pictures[0] != pictures[2]).any(axis=(0, 2))
     assert all(part.any() for part in np.array_split(changed, 3))
     # A step that is shown again gives an identical picture.
@@ -200,7 +200,8 @@ def test_picture_of_the_gauss_map_is_saved(view, window, tmp_path, suffix):
     before = view.picture()
     assert window.answer_file_dialog(path, lambda: window.click_on(view.dock.saver))
     assert path.exists()
-    assert suffix == "png" or "Face: zigzag" in path.read_text(encoding="utf-8")  # this is the title
+    # An SVG or PDF file contains its title as text.
+    assert suffix == "png" or "Face: zigzag" in path.read_text(encoding="utf-8")
     if suffix == "png":
         assert path.read_bytes().startswith(b"\x89PNG")
         image = QtGui.QImage(str(path))
@@ -208,7 +209,7 @@ def test_picture_of_the_gauss_map_is_saved(view, window, tmp_path, suffix):
     else:
         assert ElementTree.parse(path).getroot().tag.endswith("svg")
     view.picture()
-    window.press(view.slider, QtCore.Qt.Key_Left)  # the panel still works
+    window.press(view.slider, QtCore.Qt.Key_Left)  # after saving, the slider still steps through the vectors
     assert not same(view.picture(), before)
 
 
@@ -351,7 +352,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
         found.strategy, found.confidence, found.phi_range, found.level, found.reversals, found.reason)  # fmt: skip
     first, second, *rest = view.title.text().split("\n")
     (third,) = rest or [second]
-    assert not rest or second not in third  # the third line does not repeat the second
+    assert not rest or second not in third  # the third line of the title does not repeat the second line
     assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}. {found.reason.replace('Phi', 'φ')}"
     assert "φ" in first and "phi" not in view.title.text().lower()  # phi is always written φ
     assert f"level n = {row['level']}," in second
@@ -365,7 +366,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
     assert low < min(figure.phi.min(), figure.limits[0]) and high > max(figure.phi.max(), figure.limits[1])
 
 
-def test_deciding_bound_of_phi_is_named(view, opened, window):
+def test_condition_on_phi_that_decides_is_named(view, opened, window):
     named = {}
     for label in ("Face", "Pocket around island", "Bore", "Drill holes"):
         select(labelled(opened, label))
@@ -402,7 +403,7 @@ def test_plots_are_at_least_80_pixels_high(view, opened, window):
 
 
 def test_wheel_zooms_and_mouse_moves_a_plot(view, window):
-    window.settle()  # a late layout would move the plot under the mouse
+    window.settle()  # wait for the layout, which would otherwise move the plot under the mouse during the test
     canvas, plot, pictures = view.canvas, view.canvas.figure.path, [view.picture()]
     before, whole = plot.window, [np.array([one.lower, one.upper]) for one in view.canvas.figure.zoomable]
     at = plot.place.center().toPoint()
@@ -410,7 +411,7 @@ def test_wheel_zooms_and_mouse_moves_a_plot(view, window):
     for _ in range(3):
         window.wheel(canvas, at)
     assert (plot.window[1] - plot.window[0] < 0.6 * (before[1] - before[0])).all()
-    assert plot.data(QtCore.QPointF(at)) == pytest.approx(under)  # the point under the mouse stays there
+    assert plot.data(QtCore.QPointF(at)) == pytest.approx(under)  # after zooming, the same point is under the mouse
     pictures.append(view.picture())
     end = at + QtCore.QPoint(30, 20)
     QTest.mousePress(canvas, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier, at)
@@ -445,9 +446,10 @@ def test_gauss_map_of_100_000_trajectories_stays_responsive(view, opened, window
     timer.start(5)
     select(long)
     busy = view.dock.busy
-    busy._later.setInterval(0)  # announce the work even if the computer is fast
-    window.wait(lambda: busy.isVisible() and "Long" in busy.label.text())  # a busy computer may first read Face
-    window.click_on(busy.button)  # cancels the reading
+    busy._later.setInterval(0)  # show the progress line at once, because a fast computer soon ends the task
+    # Wait for "Long", because on a busy computer the panel can still be reading the operation Face.
+    window.wait(lambda: busy.isVisible() and "Long" in busy.label.text())
+    window.click_on(busy.button)  # cancel the reading of the operation Long
     assert "Select an operation" in view.title.text() and not busy.isVisible()
     beats.clear()
     begin = time.monotonic()
@@ -475,7 +477,7 @@ def test_gauss_map_of_100_000_trajectories_stays_responsive(view, opened, window
 def test_plots_are_not_cut_off_in_a_narrow_dock(opened, view, label):
     select(labelled(opened, label))
     view.picture()
-    canvas, width = view.canvas, 420  # width of a dock beside the 3D view
+    canvas, width = view.canvas, 420  # about the width in px of a dock beside the 3D view
     image = QtGui.QImage(width + 200, 120, QtGui.QImage.Format_RGB32)
     image.fill(QtGui.QColor(canvas.theme.back))
     painter = QtGui.QPainter(image)
@@ -517,7 +519,7 @@ def test_save_is_disabled_until_the_area_is_read(opened, view, window, monkeypat
     before = view.canvas.figure
     view.chooser.setCurrentIndex(1)
     assert view.dock._background.works and not view.dock.saver.isEnabled() and view.chooser.isEnabled()
-    view.dock.busy.button.click()  # the former area stays
+    view.dock.busy.button.click()  # after a cancel, the panel shows the former area
     assert not view.dock._background.works and view.dock.saver.isEnabled()
     assert view.canvas.isVisible() and view.canvas.figure is before and view.chooser.currentIndex() == 0
     view.chooser.setCurrentIndex(1)
@@ -528,7 +530,7 @@ def test_save_is_disabled_until_the_area_is_read(opened, view, window, monkeypat
 
 def test_dock_without_a_picture_hides_its_controls(window):
     dock = gauss_map.GaussMapDock(None)
-    dock.setObjectName("")  # the window has another panel
+    dock.setObjectName("")  # the Gauss map panel of the window already has the name
     try:
         assert all(widget.isHidden() for widget in (dock.slider, dock.number, dock.saver, dock.chooser))
     finally:

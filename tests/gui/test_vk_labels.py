@@ -55,7 +55,7 @@ def is_shown_as_it_is(html, text):
     document = QtGui.QTextDocument()
     document.setHtml(html)
     shown = document.toPlainText()
-    return html.startswith("<p ") and text in shown and "\ufffc" not in shown  # Qt's character for a picture
+    return html.startswith("<p ") and text in shown and "\ufffc" not in shown  # Qt shows a picture as this character
 
 
 def test_tooltips_show_labels_as_text(opened, window, trap):
@@ -114,5 +114,5 @@ def test_label_with_whole_text_is_as_high_as_the_text(window):
         line = label.fontMetrics().lineSpacing()
         assert heights[0] > 3 * line and heights[1] < heights[0] / 2 and label.height() < 2 * line
     finally:
-        box.hide()  # until Qt deletes it, it would cover the window
+        box.hide()  # otherwise the message box would cover the window until Qt deletes the box
         box.deleteLater()

@@ -59,7 +59,7 @@ def cancel(window, order, number, beats):
         last = Stopwatch()
         shown = window.progress_dialog()
         if shown is None or shown.labelText() not in order:
-            return  # no operation has begun
+            return  # the analysis of the first operation has not begun yet
         if pressed:
             at_esc.append(shown.labelText())
             return

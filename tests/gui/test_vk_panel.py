@@ -119,7 +119,7 @@ FIRST = [
     "Simulation Time",
     "Warnings",
     "Notes",
-]  # the State column is shown only if a mark is outdated
+]  # without the State column, which is shown only if a mark is outdated
 
 
 def test_panel_shows_the_total_of_a_job_above_its_operations(panel, opened, window):
@@ -209,13 +209,13 @@ def test_frozen_name_column_is_opaque(panel, shipped, window):
     try:
         for action in chosen:
             action.trigger()
-        window.settle()  # lays out the columns
+        window.settle()  # let Qt lay out the columns
         bar, frozen = panel.tree.horizontalScrollBar(), panel.tree.findChild(QtGui.QTreeView, "frozen")
 
         def picture(value):
             bar.setValue(value)
             window.settle()
-            # Grab the window: in FreeCAD 1.1 the background of the view is transparent.
+            # Take the picture from the main window, because in FreeCAD 1.1 the view's own background is transparent.
             place = QtCore.QRect(frozen.viewport().mapTo(window.main, QtCore.QPoint(0, 0)), frozen.viewport().size())
             return window.main.grab(place).toImage()
 
@@ -226,7 +226,8 @@ def test_frozen_name_column_is_opaque(panel, shipped, window):
             )
             return all(abs(a - b) < 8 for pair in pixels for a, b in zip(*(color.getRgb() for color in pair)))
 
-        window.wait(lambda: is_same(picture(bar.maximum() // 2), picture(bar.maximum())))  # themes restyle with a delay
+        # Wait, because FreeCAD applies a theme with a delay.
+        window.wait(lambda: is_same(picture(bar.maximum() // 2), picture(bar.maximum())))
         window.screenshot(f"panel-frozen-{shipped.replace(' ', '-')}")
         seen, above = (view.mapToGlobal(view.rect().topLeft()) for view in (panel.tree.viewport(), frozen.viewport()))
         assert above == seen and frozen.viewport().width() == panel.tree.columnWidth(0)
@@ -260,7 +261,7 @@ def test_panel_does_not_widen_the_window_in_any_theme(panel, window, theme):
     Gui.SendMsgToActiveView("ViewFit")
     click_row(window, panel, "Adaptive pocket")
     window.screenshot(f"panel-{theme}")
-    assert window.main.width() <= 1280  # the panel does not widen the window
+    assert window.main.width() <= 1280  # the panel does not make the main window wider
 
 
 def luminance(color):
@@ -302,7 +303,7 @@ def test_low_panel_shows_rows_instead_of_titles(panel, opened, window):
         panel.tree.scrollTo(top)
         seen = panel.tree.viewport()
         assert seen.rect().contains(panel.tree.visualRect(top).adjusted(0, 0, -panel.tree.columnWidth(0) + 1, 0))
-        panel.tree.horizontalScrollBar().setValue(100)  # the frozen first column now covers other columns
+        panel.tree.horizontalScrollBar().setValue(100)  # scroll sideways, under the frozen first column
         window.settle()
         window.screenshot("panel-low")
         panel.resize(600, 400)
@@ -368,7 +369,8 @@ def test_page_shows_phi_only_after_a_click_on_why(panel, opened, window):
     assert found.reason.replace("Phi", "φ") in text_of(panel)
     assert "Recommended" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
-    assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))  # the same text as in the column
+    # The details show the text of the column.
+    assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))
     length = user().length(found.length)
     assert f"Cutting Length {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
     shortest = user().measure(found.machining.shortest, 3)
@@ -624,7 +626,7 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     assert cautions == "" or " takes about " in cautions or " slows to about " in cautions
     assert column(panel, "Warnings")["Job"].startswith(
         "The simulation cost of Bore is unknown."
-    )  # further remarks depend on the computer's speed
+    )  # only the beginning, because the remarks that follow depend on the computer's speed
 
 
 @pytest.mark.long
@@ -786,7 +788,7 @@ def test_file_name_without_a_suffix_gets_one(chosen, saved):
 def test_panel_is_a_tab_beside_the_report_view(opened, window):
     view = window.first(QtGui.QDockWidget, "Report view")
     existing = dock(window)
-    if existing is not None:  # the command makes a new panel, as in a new window
+    if existing is not None:  # remove the panel, so that the command makes a new one, as after a start of FreeCAD
         Gui.Selection.removeObserver(existing)
         FreeCAD.removeDocumentObserver(existing)
         existing.setObjectName("")
@@ -844,11 +846,11 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         window.settle()
         assert {title: column(panel, title) for title in FIRST} == before
         click_row(window, panel, label)
-        # The lengths after this entry are not stored in a mark.
+        # Compare the text before "Cutting Length" only, because the lengths after it are not stored in a mark.
         assert text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
         window.screenshot("panel-from-marks")
         assert "Rapid Length" not in text_of(panel)
-        window.click("Analyze Toolpaths")  # analyze the selected operation; its mark does not change
+        window.click("Analyze Toolpaths")  # analyse the selected operation, to get the numbers that no mark stores
         window.wait(lambda: "Rapid Length" in text_of(panel), 10)
         window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
         with open(tmp_path / "results.csv", newline="", encoding="utf-8") as file:

@@ -40,7 +40,7 @@ def picture(window, label):
     view.scrollTo(window.cell(label))
     window.settle()
     area = view.visualRect(window.cell(label)) & view.viewport().rect()
-    area.setWidth(min(area.width(), 240))  # the tests compare with shares of this width
+    area.setWidth(min(area.width(), 240))  # px; the tests compare coloured shares of a picture with this width
     corner = view.viewport().mapToGlobal(area.topLeft())
     screen = QtGui.QApplication.primaryScreen()
     return screen.grabWindow(0, corner.x(), corner.y(), area.width(), area.height()).toImage()
@@ -197,7 +197,7 @@ def test_pills_of_totals_and_outdated_marks_look_different():
 
 
 def test_description_without_a_mark_is_shown_unchanged(opened, window):
-    tree.show_description()  # FreeCAD 1.x hides the column
+    tree.show_description()  # FreeCAD 1.x hides the Description column by default
     pills.show()
     for label2 in ("⟦⟧", "⟦3 operations foo⟧", "⟦sculpting 9%⟧", "zigzag 97% ⟦zigzag 97%⟧", "⟦zigzag · ▶ 3 s⟧"):
         labelled(opened, "Face").Label2 = label2
@@ -233,7 +233,8 @@ def test_pills_can_be_switched_off(marked, window):
 def test_tooltip_has_reason_and_times(marked, window):
     obj = labelled(marked, "Face")
     text = tooltip(window, "Face")
-    assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())  # numbers and units stay in one line
+    # A no-break space keeps each number and its unit in one line.
+    assert not re.search(r"\d (?:ms|s|min|h|mm|m|kB|MB)\b", QtGui.QToolTip.text())
     known = marks.read(obj)
     (reason,) = known.reason
     assert plain_sentence(reason).replace("<", "&lt;").replace(">", "&gt;") in text and "φ" not in text
@@ -250,7 +251,7 @@ def test_tooltip_has_reason_and_times(marked, window):
 
 
 @pytest.mark.long
-def test_words_of_the_user_equal_to_the_mark_can_be_edited(marked, window):
+def test_user_words_equal_to_the_text_of_the_mark_can_be_edited(marked, window):
     face = labelled(marked, "Face")
     own = marks.read(face).text
     face.Label2 = f"{own} ⟦{own}⟧"
@@ -273,9 +274,10 @@ def test_pill_has_the_colour_of_its_strategy(marked, window, theme):
         mark = marks.read(obj)
         image = picture(window, obj.Label)
         color = mark.strategy.color if mark.strategy else colors.TOTAL
-        assert (share(image, color) > 0.05) != mark.outdated, obj.Label  # share of the cell
+        # The colour of a valid mark covers more than 5 % of the cell.
+        assert (share(image, color) > 0.05) != mark.outdated, obj.Label
         if not mark.outdated:
-            assert bright(image) > 0.005, obj.Label  # the text of the pill
+            assert bright(image) > 0.005, obj.Label  # the nearly white text of the pill covers a part of the cell
     assert marks.is_outdated(drill)
 
 
@@ -347,7 +349,7 @@ def test_mark_without_a_stock_stays_outdated_after_a_copy(opened, window):
     job.Stock.Shape = Part.makeBox(60, 60, 20)
     opened.recompute()
     window.wait(lambda: marks.is_outdated(face))
-    opened.copyObject(labelled(opened, "Bore"), False)  # a copy makes the watcher compare all marks
+    opened.copyObject(labelled(opened, "Bore"), False)  # after a copy, the watcher compares all marks
     opened.recompute()
     window.settle()
     assert marks.is_outdated(face)

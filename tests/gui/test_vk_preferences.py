@@ -124,7 +124,7 @@ def test_pills_can_be_switched_off(with_page, window, opened):
     assert "PillDelegate" not in delegates()
 
 
-@pytest.mark.long  # other tests press the button without measuring
+@pytest.mark.long  # only this test really measures; other tests press the button but do not measure
 def test_calibrate_button_measures_and_shows_the_date(with_page, restored_calibration, window):
     restored_calibration.unlink()
     seen = []
@@ -165,7 +165,7 @@ def test_fields_are_high_enough_in_freecads_dialog_size(points, with_page, windo
                 chooses = isinstance(widget, QtGui.QComboBox)
                 least = widget.fontMetrics().height() if chooses else widget.sizeHint().height()
                 squeezed.extend([widget.objectName()] * (widget.height() < least))
-        if freecad.version() >= (1, 0):  # 0.20 opens a larger dialog
+        if freecad.version() >= (1, 0):  # FreeCAD 0.20 makes the dialog so large that no page is scrolled
             (area,) = (one for one in form.window().findChildren(QtGui.QScrollArea) if one.isAncestorOf(form))
             squeezed.extend(["sideways"] * (area.horizontalScrollBar().maximum() > 0))
         label = form.calibrated

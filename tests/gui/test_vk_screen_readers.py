@@ -39,7 +39,7 @@ def test_controls_of_the_simulation_have_accessible_names(desk):
     assert tab.player.play_bar.play_button.accessibleName() == "Plays or pauses the simulation (Space)."
 
 
-def test_button_that_closes_the_warning_has_a_name(window):
+def test_button_that_closes_the_warning_has_an_accessible_name(window):
     line = Line(area_of_views())
     line.way.setText("Simulate Toolpaths")
     assert nameless(line) == []

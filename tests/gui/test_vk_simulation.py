@@ -93,7 +93,7 @@ def test_exports_save_pictures_and_removal_rates(whole, window, tmp_path):
     lines = (tmp_path / "rates.csv").read_text().splitlines()
     assert len(lines) == 1 + whole.simulation.trajectories and lines[1].startswith("Face,1,")
     first = whole.job.cuts[0].toolpath.command[0]
-    assert lines[1].split(",")[2] == str(first + 1)  # the text below the part also counts commands from 1
+    assert lines[1].split(",")[2] == str(first + 1)  # commands are numbered from 1, as in the text below the part
 
 
 def test_chips_are_drawn_on_the_simulated_part(whole, window):
@@ -129,7 +129,7 @@ def test_click_on_a_surface_selects_its_operation(whole_from_above, window):
     QtGui.QCursor.setPos(view.mapToGlobal(view.rect().center()))
     window.click_at(view, view.rect().center())
     window.idle()
-    window.idle(1.0)  # FreeCAD 1.1 brings the 3D view to the front a quarter of a second later
+    window.idle(1.0)  # s; a quarter of a second after a selection, FreeCAD 1.1 brings its 3D view to the front
     window.wait(lambda: not player.visibleRegion().isEmpty())
     (chosen,) = Gui.Selection.getSelection()
     operation, command = player.simulation.source(player.moment.done - 1)
@@ -156,7 +156,8 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     assert bar.tolerance.isVisible() and bar.worst.isEnabled()
     window.screenshot("simulation-difference")
     kinds = [fault.what.code for fault in differences(player.drawing.findings, bar.tolerance_mm)]
-    assert kinds and set(kinds) == {"leaves-material"}  # the sound example leaves inside corners, and gouges nothing
+    # The correct example leaves material in inside corners, and gouges nothing.
+    assert kinds and set(kinds) == {"leaves-material"}
     found = differences(player.drawing.findings, bar.tolerance_mm)
     deepest = max(found, key=lambda fault: fault.what.arguments["depth"])
     # Two clicks show the largest difference.
@@ -164,7 +165,8 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     assert view._place_shown == deepest.place
     before = view.grab().toImage()
     bar.worst.menu().actions()[-1].hover()
-    assert len(found) > 1 and view.grab().toImage() != before  # the ring is shown before a choice
+    # An entry under the mouse pointer shows a ring on the part before it is clicked.
+    assert len(found) > 1 and view.grab().toImage() != before
     bar.worst.menu().actions()[0].trigger()
     window.wait(lambda: player.pictures.is_current)
     assert player.moment.seconds == player.clock.total and view._place_shown == found[0].place
@@ -187,9 +189,9 @@ def test_click_in_the_time_line_highlights_the_cut(whole_from_above, window):
     number = int(np.argmax(np.where(cuts.rapid, 0, np.diff(player.clock.ends) * (player.volumes > 0))))
     middle = (player.clock.ends[number] + player.clock.ends[number + 1]) / 2
     player.moment.go_to(middle)
-    for _ in range(12):  # until the move is wide enough for a click
+    for _ in range(12):  # zoom in until the move is wide enough on the time line for a click
         window.wheel(line, QtCore.QPoint(round(line.x_of(middle)), line.height() - 8))
-    player.play_bar.speeds.setCurrentIndex(0)  # the speed is real time
+    player.play_bar.speeds.setCurrentIndex(0)  # play at the speed of the machine
     player.moment.play()
     window.idle(0.2)
     assert player.moment.plays and player.moment.noticed is None
@@ -198,7 +200,7 @@ def test_click_in_the_time_line_highlights_the_cut(whole_from_above, window):
     window.wait(lambda: player.pictures.is_current)
     assert player.moment.noticed == number == player.moment.done - 1 and not player.moment.plays
     lit = (player.view._scene.image.astype(int) - player.view._scene.image.max(axis=-1, keepdims=True))[..., 2]
-    assert (lit < -100).any()  # less blue than red: the colour of a highlighted cut
+    assert (lit < -100).any()  # the highlighted cut has a colour with much less blue than red
     assert "Removed: " in player.play_bar.text.text()
     window.screenshot("simulation-lit")
 
@@ -235,10 +237,10 @@ def test_crash_is_found_in_three_clicks(desk, window):
         menu = warnings.menu()
         texts.extend(action.text() for action in menu.actions())
         window.screenshot("simulation-crash-2")
-        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # this is the second click
+        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # the second of the three clicks
 
     QtCore.QTimer.singleShot(300, choose)
-    window.click_on(warnings)  # this is the first click
+    window.click_on(warnings)  # the first of the three clicks
     assert texts[0].startswith(f"Pocket around island, command {number + 1} ({code}): A rapid move removes ")
     window.wait(lambda: player.pictures.is_current)
     source = player.simulation.source(player.moment.done - 1)
@@ -286,7 +288,7 @@ def test_step_buttons_go_to_commands_and_operations(simulated, window):
 
 
 def test_play_shows_the_machines_time(simulated, window):
-    simulated.play_bar.speeds.setCurrentIndex(2)  # the speed is 100 times real time
+    simulated.play_bar.speeds.setCurrentIndex(2)  # play at 100 times the speed of the machine
     window.click_on(simulated.play_bar.play_button)
     window.wait(lambda: simulated.moment.seconds > 0.2 * simulated.clock.total)
     window.click_on(simulated.play_bar.play_button)
@@ -320,7 +322,7 @@ def test_time_line_explains_its_colours(simulated, window):
     for y, expected in (
         (6, True),
         (line.height() - 14, False),
-    ):  # the pointer is over the curve, then over the operations
+    ):  # y positions of the pointer: over the curve, then over the operations
         QtGui.QToolTip.hideText()
         window.mouse_move(line, QtCore.QPoint(line.width() // 2, y), QtCore.Qt.NoButton)
         window.wait(QtGui.QToolTip.isVisible)
@@ -340,7 +342,7 @@ def test_model_before_the_finest_picture_is_not_called_missing(simulated):
     assert said == ["The model is shown with the finest picture.", "There is no closed model."]
 
 
-def test_exports_are_proposed_beside_the_document(simulated, desk, tmp_path, monkeypatch):
+def test_default_folder_of_exports_is_the_documents_folder(simulated, desk, tmp_path, monkeypatch):
     asked = []
 
     def choose(parent, title, path, forms):
@@ -392,7 +394,7 @@ def test_error_in_a_picture_is_shown_and_the_next_is_drawn(simulated, window, mo
     assert simulated.view._scene.owner.max() == -1
 
 
-def test_legend_is_whole_in_a_narrow_tab(simulated, window):
+def test_legend_is_complete_in_a_narrow_tab(simulated, window):
     bar = simulated.scene_bar
     legend = Legend(window.main)
     legends = [(("#808080", "The model is shown with the finest picture. "[:length] * 5),) for length in range(1, 41)]
@@ -411,7 +413,8 @@ def test_legend_is_whole_in_a_narrow_tab(simulated, window):
         for number, (_, one, _) in enumerate(places):
             assert not any(one.adjusted(0.5, 0.5, -0.5, -0.5).intersects(other) for _, other, _ in places[:number])
         for (_, name), (_, one, _), (_, after, _) in zip(entries, places, places[1:]):
-            assert name or (one.right(), one.top()) == (after.left(), after.top())  # a scale is in one line
+            # The colours of one scale are side by side.
+            assert name or (one.right(), one.top()) == (after.left(), after.top())
     legend.deleteLater()
 
 
@@ -465,7 +468,7 @@ def test_closing_the_tab_ends_its_work(desk, window, monkeypatch):
     window.press(tab, QtCore.Qt.Key_Escape)
     until_closed = len(begun)
     window.wait(lambda: not tabs(window) and "_run" not in working())
-    assert len(begun) <= until_closed + 1  # the work ends at its next step
+    assert len(begun) <= until_closed + 1  # at most one step of the work begins after closing the tab
 
 
 def test_closing_the_document_closes_the_tab(desk, document, window):
@@ -493,10 +496,10 @@ def test_part_is_shown_while_reading_continues(desk, window, monkeypatch):
     tab = desk.simulate()
     scene, _ = tab.reading.seen
     assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
-    assert tab.player.view._scene is scene  # the player starts with the last picture of the reading
+    assert tab.player.view._scene is scene  # the player first shows the last preview from reading the job
     window.click_at(
         tab.player.view, tab.player.view.rect().center()
-    )  # before the first simulation a click does nothing
+    )  # a click before the first simulation has no effect
     finest(shown(tab, window), window)
     assert tab.player.view._scene is not scene
 
@@ -591,12 +594,12 @@ def test_faults_are_the_same_from_every_side(desk, document, window):
 
 
 @pytest.mark.parametrize("wide", [True, False])
-def test_entry_of_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
+def test_text_of_a_combo_box_is_complete_or_ends_in_an_ellipsis(window, wide):
     box, text = controls._combo(""), "Difference to the Model"
     box.setParent(window.main)
     box.addItem(text)
     box.show()
-    window.idle(0.1)  # until FreeCAD's theme, with wider borders, is applied
+    window.idle(0.1)  # s; wait until Qt applies FreeCAD's theme, whose borders are wider
     box.resize(box.sizeHint().width() - (0 if wide else 40), box.sizeHint().height())
     window.idle()
     option = QtGui.QStyleOptionComboBox()
@@ -609,12 +612,12 @@ def test_entry_of_a_choice_is_whole_or_ends_in_an_ellipsis(window, wide):
         if box.fontMetrics().horizontalAdvance(words) <= field.width() and box.grab(field).toImage() == seen:
             found.append(words)
     assert found and (text in found) == wide
-    box.hide()  # until Qt deletes the widget, it would be in other pictures
+    box.hide()  # otherwise the widget would cover a part of later pictures until Qt deletes the widget
     box.deleteLater()
 
 
 @pytest.mark.parametrize("wide", first_everywhere([False, True]))
-def test_line_of_text_is_whole_or_ends_in_an_ellipsis(window, wide):
+def test_line_of_text_is_complete_or_ends_in_an_ellipsis(window, wide):
     line, text = OneLine(window.main), "1,024 × 768 pixels of 0.1 mm, 90,000 traces <b>"
     line.show_text(text)
     whole = line.sizeHint()
@@ -630,6 +633,6 @@ def test_line_of_text_is_whole_or_ends_in_an_ellipsis(window, wide):
     line.show_text(text)
     line.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     line.setSelection(0, len(text))
-    assert line.selectedText() == text  # the whole text can be copied
-    line.hide()  # until Qt deletes the widget, it would be in other pictures
+    assert line.selectedText() == text  # the user can copy the whole text, including the part that is not shown
+    line.hide()  # otherwise the widget would cover a part of later pictures until Qt deletes the widget
     line.deleteLater()

@@ -64,7 +64,7 @@ def test_two_clicks_show_the_distance_between_them(player, window):
     assert numbers(player.play_bar.text.text()) == pytest.approx([np.linalg.norm(apart), *apart], abs=0.01)
     pixel = view.view.pixel * view.devicePixelRatioF()
     assert apart[0] == pytest.approx((other - one).x() * pixel, abs=2 * pixel)
-    assert player.moment.seconds == moment  # measuring does not change the moment
+    assert player.moment.seconds == moment  # measuring does not change the shown moment
     window.screenshot("simulation-measured")
     window.press(player.time_line, QtCore.Qt.Key_Escape)
     window.wait(lambda: player.pictures.is_current)
@@ -115,7 +115,8 @@ def test_zoomed_in_part_is_simulated_finer(player, window):
     assert player.simulation is whole and player.drawing.finest_for(view.frame) is detail
     assert detail.zbuffer.frame.pixel < 0.7 * coarse
     frame, stock = detail.zbuffer.frame, player.job.stock
-    assert frame.width * frame.pixel < 0.6 * (stock.upper - stock.lower)[0]  # only the visible section is simulated
+    # Only the visible part of the stock is simulated.
+    assert frame.width * frame.pixel < 0.6 * (stock.upper - stock.lower)[0]
     window.screenshot("simulation-zoomed")
     player.look("Isometric")
     assert player.drawing.finest_for(view.frame) is whole

@@ -34,7 +34,7 @@ from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message, Unusable
 
 STOCK = Stock((0, 0, 0), (60, 40, 20))
-# Two slots: one with a feed of 10 mm/s, one cut by a rapid move, whose speed is not given.
+# SLOT cuts a slot at a feed of 10 mm/s. CRASH moves through the stock with a rapid, whose speed is not given.
 SLOT = [("G0", {"X": 5.0, "Y": 10.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0}), ("G1", {"X": 55.0, "F": 10.0})]
 CRASH = [("G0", {"X": 5.0, "Y": 30.0, "Z": 30.0}), ("G0", {"Z": 15.0}), ("G0", {"X": 55.0})]
 
@@ -124,7 +124,7 @@ def test_marks_in_the_tree_show_the_latest_faults():
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", lambda faults: bool(told.append(faults)))
         known.follow(True)
-        assert not told  # the part has not been compared with the model yet
+        assert not told  # no fault is passed to the marks before the part was compared with the model
         known.keep([gouge(0, 20.0, command=2)], PENDING)
         known.keep([crash, gouge(0, 0.3)], PENDING)
         known.follow(False)
@@ -160,22 +160,22 @@ def test_saved_removal_rates_are_volumes_per_minute(tmp_path):
 
 
 def colored(make, volumes, ends):
-    clock = Clock.__new__(Clock)  # the clock has no job
+    clock = Clock.__new__(Clock)  # without __init__, which needs a job
     clock.ends, clock.cuts = np.array(ends), volumes
     job = coloring.Job(("Op",), (Strategy.UNKNOWN,), clock, np.array(volumes), None, False, 0.1)
     return make(None, job)
 
 
 def test_scale_of_removal_rates_leaves_out_the_fastest_1_percent():
-    # 69.5 mm³ in 60 s and 30 mm³ in 15 s; the fastest move removes half a percent of the total.
+    # The moves remove 69.5 mm³ in 60 s, 30 mm³ in 15 s, and half a percent of the total in the last 0.01 s.
     found = colored(coloring.by_removal_rate, [69.5, 30.0, 0.5], [0.0, 60.0, 75.0, 75.01])
     assert [name for _, name in found.legend() if name] == ["0", "120 mm³/min"]
 
 
-def test_scale_of_times_begins_with_the_first_end():
+def test_colour_of_the_last_move_does_not_depend_on_other_moves():
     last = colored(coloring.by_time, [1.0, 1.0], [0.0, 50.0, 100.0]).colors
     alone = colored(coloring.by_time, [1.0], [0.0, 100.0]).colors
-    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # the first colour is the colour of the stock
+    assert (last[2] == alone[1]).all() and not (last[1] == last[2]).all()  # colour 0 belongs to the stock
 
 
 def test_missing_feed_is_the_median_of_the_other_feeds():

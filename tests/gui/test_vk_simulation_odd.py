@@ -74,7 +74,7 @@ def test_closed_tab_frees_its_memory(desk, window):
 
 @pytest.mark.long
 def test_closed_tab_returns_memory_to_the_system(desk, window, monkeypatch):
-    desk.kept(desk.small)  # closes the tab of an earlier test, whose memory is returned later
+    desk.kept(desk.small)  # close the tab of an earlier test now, because its memory is also returned later
     given = []
     monkeypatch.setattr("vkworkbench.document.computer.garbage.give_back", lambda: given.append(True))
     tab = desk.simulate()
@@ -97,11 +97,11 @@ def test_operation_is_deleted_while_the_tab_is_open(document, window, moment):
     document.removeObject(document.Job.Operations.Group[0].Name)
     window.wait(tab.again.isVisible)
     player = tab.player
-    if player is not None:  # the player keeps the job that it has read
+    if player is not None:  # the tab still shows the job that it read before the operation was deleted
         finest(player, window)
         player.moment.go_to(0.2 * player.clock.total)
         window.wait(lambda: player.pictures.is_current)
-        player.ask(part_view.Surface(0, np.zeros(3)))  # its operation is deleted
+        player.ask(part_view.Surface(0, np.zeros(3)))  # click on a surface whose operation was deleted
         window.idle(0.2)
         player.look("Top")
         player.look(None)
@@ -285,7 +285,7 @@ def many_operations(document):
 
     first, job = lone(document, SLOT), document.Job
     rows = []
-    for row in range(40):  # more than the menu or the legend shows
+    for row in range(40):  # more operations than a menu or the legend shows
         op = document.addObject("Path::FeaturePython", f"Row{row}")
         op.addProperty("App::PropertyLink", "ToolController", "Path").ToolController = first.ToolController
         op.addProperty("App::PropertyBool", "Active", "Path").Active = True
@@ -339,7 +339,7 @@ def test_odd_job_is_shown_without_an_error(bare, window, odd):
     drag(window, player.view, middle, middle + QtCore.QPoint(50, 20))
     drag(window, player.time_line, QtCore.QPoint(10, 45), QtCore.QPoint(200, 45))
     window.click_at(player.time_line, QtCore.QPoint(100, 45))
-    window.wait(lambda: player.pictures.is_current)  # the picture shows the turned view
+    window.wait(lambda: player.pictures.is_current)  # wait for the picture of the view that the mouse has changed
     player.look("Bottom")
     finest(player, window)
     window.screenshot(f"simulation-odd-{odd.__name__}")
@@ -404,7 +404,8 @@ def test_tab_is_usable_with_keys_only(desk, window):
         focused = QtGui.QApplication.focusWidget()
         if focused is not None:
             reached.add(focused)
-            window.press(focused, QtCore.Qt.Key_Backtab)  # backwards from the time line, the last control
+            # Go backwards, because the focus begins on the time line, the last control.
+            window.press(focused, QtCore.Qt.Key_Backtab)
         window.idle(0.01)
     wanted = {player.time_line, player.view, player.scene_bar.colorings, player.scene_bar.chips, player.play_bar.speeds}
     assert wanted <= reached

@@ -50,7 +50,8 @@ def test_turning_and_playing_do_not_simulate_again(tab, window, monkeypatch, tmp
         assert player.simulation is simulation and player.drawing.findings is findings
         assert [(f.trajectory, f.what) for f in player.faults] == [(f.trajectory, f.what) for f in faults]
         size = player.view.view
-        assert player.view._scene.depth.shape == (size.height, size.width)  # each picture has the full number of pixels
+        # Each picture has as many pixels as the view.
+        assert player.view._scene.depth.shape == (size.height, size.width)
     assert len(set(shown)) == len(shown)
 
 
@@ -194,7 +195,7 @@ def test_outdated_tab_reports_no_faults(desk, document, window):
     assert tab.again.isVisible() and player.faults and told(op) == []
     document.undo()
     window.wait(lambda: not tab.again.isVisible())
-    assert told(op) == ["simulated"]  # the undo made the faults current again
+    assert told(op) == ["simulated"]  # after the undo, the faults are valid and reported again
 
 
 @pytest.mark.long
@@ -289,7 +290,7 @@ def test_controls_do_not_overlap_in_a_low_and_narrow_tab(low_tab, window, height
 
 def test_controls_of_differences_are_shown_with_differences(tab, window):
     bar = tab.player.scene_bar
-    tab.player.setFixedSize(360, 400)  # large enough for the controls of differences
+    tab.player.setFixedSize(360, 400)  # px, with room for the row of controls for differences from the model
     assert not bar.differences.isVisible()
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
     assert bar.differences.isVisible()

@@ -117,12 +117,12 @@ def test_warning_of_a_long_play_offers_fast_forward(marked, window):
     assert line.text.height() >= line.text.heightForWidth(line.text.width())
     button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
-    assert lines(window) == [] and not button.isEnabled()  # the simulation is running
+    assert lines(window) == [] and not button.isEnabled()  # fast-forward has begun, so its button is disabled
     window.click_on(simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonPause"))
     window.wait(button.isEnabled)
 
 
-def test_warning_ends_with_the_panel_and_the_ticked_operations(marked, window):
+def test_warning_is_hidden_without_a_panel_or_ticked_operations(marked, window):
     preferences.write(time_budget=0.1)
     line = warned(window, "legacy")
     _close(window)
@@ -138,7 +138,7 @@ def test_warning_ends_with_the_panel_and_the_ticked_operations(marked, window):
     assert lines(window) == []
     listed.item(1).setCheckState(QtCore.Qt.Checked)
     window.settle()
-    assert lines(window) == []  # the user has closed the warning
+    assert lines(window) == []  # a warning that the user has closed does not appear again
 
 
 @pytest.mark.long
@@ -147,8 +147,9 @@ def test_click_after_closing_the_panel_does_nothing(marked, window):
     (line,) = start(window, "legacy")
     (panel,) = (child for child in line.children() if isinstance(child, OpenPanel))
     simulator_panels.close()
-    assert simulator_panel(window) is None and line.isVisible()  # the watch timer has not run yet
-    panel._take()  # called directly: an exception in a slot would not fail the test
+    # The timer that looks for closed panels has not run yet, so the line is still visible.
+    assert simulator_panel(window) is None and line.isVisible()
+    panel._take()  # a direct call, because an exception in a function that Qt calls would not fail the test
     assert lines(window) == []
     window.idle()
     assert not Gui.Control.activeDialog() and simulator_panel(window) is None

@@ -45,7 +45,7 @@ def test_switching_documents_does_not_compare_marks_again(opened, window, monkey
         FreeCAD.setActiveDocument(opened.Name)
         window.settle()
     assert compared == []
-    opened.addObject("App::FeaturePython", "New")  # a new object may be a copy of a marked one
+    opened.addObject("App::FeaturePython", "New")  # marks are compared again, because it could be a copy with a mark
     FreeCAD.setActiveDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)
     window.wait(lambda: compared)

@@ -198,7 +198,7 @@ def test_operation_without_a_view_proxy_is_skipped(opened, window):
     window.wait(lambda: drawn(opened))
     assert nodes(opened) == len(strategy_view._shown[opened.Name].lines) >= 8
     profile.touch()
-    opened.recompute()  # the recompute draws the operation while strategies are shown
+    opened.recompute()  # while strategies are shown, an operation is drawn again after each recompute
     window.wait(lambda: drawn(opened))
     window.click(SWITCH)
     window.wait(lambda: not strategy_view.is_shown(opened))
@@ -208,7 +208,7 @@ def test_operation_without_a_view_proxy_is_skipped(opened, window):
 @pytest.mark.long
 def test_rapids_from_the_origin_are_grey(opened, window, tmp_path):
     def red(there):
-        # FreeCAD's colours for rapids; FreeCAD 1.1 and later use the second colour.
+        # The colours in which FreeCAD draws rapids: the first before FreeCAD 1.1, the second since.
         return there["#aa0000"] + there["#e03131"]
 
     Gui.activeView().viewIsometric()
@@ -293,7 +293,7 @@ def test_events_are_handled_while_200_000_commands_are_drawn(long, window):
 @pytest.mark.long
 def test_cancelled_drawing_ends_its_thread(long, window, monkeypatch):
     def again_and_again(source, going_on):
-        while True:  # otherwise a fast computer could finish before the click
+        while True:  # draw without end, because a fast computer could finish one drawing before the click
             yield from strategy_lines.drawings(source, going_on)
 
     monkeypatch.setattr(strategy_view, "drawings", again_and_again)

@@ -63,7 +63,7 @@ def test_warning_line_is_readable_in_freecads_themes(shipped, marked, window):
 
 
 def test_simulation_tab_is_opaque_in_freecads_themes(shipped, small, marked, window):
-    window.see_all()  # a colourful 3D view is behind the tab
+    window.see_all()  # show a colourful 3D view behind the tab, which would be visible through a transparent tab
     Gui.Selection.clearSelection()
     window.click(simulation_window.COMMAND)
     window.wait(lambda: simulation_window.tabs(window))

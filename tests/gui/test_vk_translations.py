@@ -58,7 +58,7 @@ def speaking(language, window):
     Gui.setLocale(language)
     window.settle()
     yield
-    Gui.setLocale("en")  # FreeCAD returns "C" for the former language, but does not accept it
+    Gui.setLocale("en")  # not the former language, which FreeCAD calls "C" but does not accept under this name
     close_docks(window)
 
 
@@ -167,7 +167,7 @@ def test_texts_of_the_window_are_translated_and_fit(language, opened, window):
 
 def test_command_name_differs_from_freecad_simulators(language):
     ours = FreeCAD.Qt.translate("Vk_Simulate", "Simulate Toolpaths")
-    for name in freecad.own_simulators():  # the names are next to each other in columns and menus
+    for name in freecad.own_simulators():  # similar names would be confused, because menus show them side by side
         theirs = freecad.simulator_title(name)
         assert SequenceMatcher(None, ours, theirs).ratio() < 0.65, (ours, theirs)
 
@@ -227,11 +227,12 @@ def test_numbers_have_the_format_of_the_users_locale(german):
     assert FreeCAD.Units.Quantity(1234.5, FreeCAD.Units.Length).UserString == reader.length(1234.5).replace(".", "")
     apart, rows = Message("passes-need", step=2.54, cell=0.635), Message("apart-at-depths", step=2.4, depths=3)
     try:
-        FreeCAD.Units.setSchema(3)  # FreeCAD shows inches
+        FreeCAD.Units.setSchema(3)  # the schema with inches
         assert sentence(apart) == " Bahnen im Abstand von 0,1 in brauchen 0,025 in."
-        assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"  # the sentence does not say "in in"
+        # German: the unit "in" (inch), then the preposition "in" of "in 3 depths".
+        assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"
         assert reader.length(25.4) == "1,00 in"
-        for schema in range(9):  # each schema has another unit
+        for schema in range(9):  # all unit schemas of FreeCAD
             FreeCAD.Units.setSchema(schema)
             assert not re.search("nan|inf|[{}]", sentence(apart))
             assert reader.measure(float("nan"), 6).startswith("nan") and reader.measure(0.0, 6).startswith("0 ")

@@ -146,7 +146,7 @@ def short_job(example_path, kept_document, tmp_path_factory):
     """The file of the example with two operations and their tools."""
     kept_document.close()
     document = FreeCAD.openDocument(str(example_path))
-    for operation in find(document):  # a dress-up comes before its base
+    for operation in find(document):  # `find` lists a dress-up before its base, so it is also removed before its base
         if operation.object.Label not in ("Face", "Bore"):
             document.removeObject(operation.object.Name)
     used = {document.getObjectsByLabel(label)[0].ToolController.Name for label in ("Face", "Bore")}
@@ -184,7 +184,7 @@ def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, 
     window.wait(lambda: not strategy_view.is_drawing())
     window.settle()
     assert window.button(SWITCH).isChecked() == strategy_view.is_shown(document)
-    if not strategy_view.is_shown(document):  # after *Revert*, FreeCAD has another document object
+    if not strategy_view.is_shown(document):  # *Revert* switches the colours off, because the document is a new object
         assert strange is read_again
         window.click(SWITCH)
         window.wait(lambda: drawn(document))
@@ -196,9 +196,9 @@ def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, 
     window.wait(lambda: drawn(document))
     if Gui.activeDocument().ActiveView is not None:
         Gui.activeDocument().ActiveView.saveImage(str(tmp_path / "view.png"), 100, 100)
-    window.click(SWITCH)  # switches the colours off
+    window.click(SWITCH)  # switch the colours off
     window.wait(lambda: not strategy_view.is_shown(document))
-    window.click(SWITCH)  # switches the colours on again
+    window.click(SWITCH)  # switch the colours on again
     window.wait(lambda: drawn(document))
     FreeCAD.closeDocument(document.Name)
     window.settle()
@@ -247,7 +247,8 @@ def seen_as_html(widgets, trap):
             plain = widget.textFormat() == QtCore.Qt.PlainText
             if not plain and (widget.textFormat() == QtCore.Qt.RichText or rich(widget.text())):
                 found.append((type(widget).__name__, widget.objectName(), "label", widget.text()))
-        if isinstance(widget, QtGui.QTextEdit) and "\ufffc" in widget.toPlainText():  # Qt's character for a picture
+        # Qt shows a picture as this character.
+        if isinstance(widget, QtGui.QTextEdit) and "\ufffc" in widget.toPlainText():
             found.append((type(widget).__name__, widget.objectName(), "page", widget.toPlainText()))
     return found
 
@@ -256,7 +257,7 @@ def ours(window):
     """Return all widgets in the add-on's docks, tabs, dialogs and lines."""
     roots = tabs(window)
     for widget in QtGui.QApplication.allWidgets():
-        with suppress(RuntimeError):  # a deleted widget, whose Python object another test holds
+        with suppress(RuntimeError):  # raised for a deleted widget whose Python object another test still holds
             if widget.objectName().startswith("Vk") or isinstance(widget, QtGui.QProgressDialog):
                 roots.append(widget)
     return {id(w): w for root in roots for w in (root, *root.findChildren(QtGui.QWidget))}.values()
@@ -321,7 +322,7 @@ def test_labels_are_not_html_in_the_simulation(html, window, small, trap):
     (tab,) = tabs(window)
     found = seen_as_html(ours(window), trap)
     player = shown(tab, window)
-    assert trap.text in player.state.text()  # the state line names operations
+    assert trap.text in player.state.text()  # the line with the simulation's state contains labels of operations
     for widget, where in [(player.state, 5), *((player.time_line, x) for x in range(10, player.time_line.width(), 60))]:
         point = QtCore.QPoint(where, min(45, widget.height() // 2))
         window.ask_for_tooltip(widget, point)
@@ -336,7 +337,7 @@ def test_labels_are_not_html_in_the_simulation(html, window, small, trap):
     assert found == [] and not trap.sprung()
 
 
-# Few commands that are many moves
+# Files with few commands that cause very many moves
 
 
 def arcs(moves):
