@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Invalidate PySide's wrappers of widgets that FreeCAD has deleted.
 
-Since version 1.0, FreeCAD leaves wrappers of deleted forms when its preferences or its simulator's panel are closed.
-PySide mistakes a later widget at the same address for the deleted form, and FreeCAD crashes.
+Since version 1.0, FreeCAD leaves wrappers of deleted widgets when its preferences or a simulator's panel are closed.
+PySide mistakes a later widget at the same address for the deleted widget, and FreeCAD crashes.
 """
 
 import gc

@@ -9,10 +9,10 @@ import numpy as np
 
 
 def polygon(side, *, x=0.0, y=0.0, z=0.0, corners=4, turned=0.25, clockwise=False, ratio=1.0, climbs=0.0):
-    """Return a closed polygon around (70 + x, y - 40), because no drawing should begin at the origin.
+    """Return a closed polygon around (70 + x, y - 40), far from the origin, at which no drawing should begin.
 
     With four corners, the polygon is a rectangle of `side` by `side * ratio` mm, otherwise its width is `side`. Every
-    other corner is higher by `climbs`.
+    second corner is higher by `climbs` mm.
     """
     r = side / math.sqrt(2) if corners == 4 else side / 2
     angles = [2 * math.pi * (i / corners + turned / 2) for i in range(corners + 1)]

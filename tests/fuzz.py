@@ -33,12 +33,12 @@ from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import Conditions, Task, opengl_cost, preflight
 from vkworkbench.preferences import DIRECTIONS
 
-# Longest allowed processor time for one program: START + EACH * (commands + trajectories). The limit is linear.
+# Longest allowed processor time for one program, which is linear: START + EACH * (commands + trajectories).
 START, EACH = 0.5, 50e-6  # s
 
 STOCK = Stock((-10, -10, -20), (60, 60, 0))
 VIEWS = {name: View(direction, width=80, height=60) for name, direction in DIRECTIONS.items()}
-REFUSALS = "tolerance must be", "The arcs and cycles would need"  # the documented ValueErrors
+REFUSALS = "tolerance must be", "The arcs and cycles would need"  # how the messages of documented ValueErrors begin
 
 CODES = ["G0", "G1", "G2", "G3", "G00", "G01", "g1", "G17", "G18", "G19", "G20", "G21", "G38.2", "G40", "G43", "G54",
          "G73", "G80", "G81", "G82", "G83", "G85", "G89", "G90", "G91", "G90.1", "G91.1", "G94", "G98", "G99",
@@ -168,7 +168,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)")  # numpy 1.17 warns of NaN
+            warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)")  # warning of numpy 1.17
             try:
                 words = Words(commands)
                 path = linearize(words, tolerance=tolerance)
@@ -201,7 +201,7 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
 
 def where(error):
     """Return the error and the line of this repository that raised the error."""
-    # In Python 3.8, the script has the relative path of the command line.
+    # Make file names absolute, because in Python 3.8 a script's own name is the path in the command line.
     frames = [f for f in traceback.extract_tb(error.__traceback__) if ROOT in Path(f.filename).resolve().parents]
     frame = frames[-1]
     return f"{type(error).__name__}: {error} at {Path(frame.filename).name}:{frame.lineno} {frame.line}"
@@ -247,7 +247,7 @@ def main(arguments=None):
         count += 1
         result = feed(seed)
         if result.outcome.startswith("slow"):
-            result = feed(seed)  # the computer may have paused
+            result = feed(seed)  # try again, because the computer may have paused during the first try
         commands, trajectories = commands + result.commands, trajectories + result.trajectories
         outcomes["failed" if result.failed else result.outcome] += 1
         if result.failed:

@@ -64,7 +64,7 @@ JSON = [None, -1, 0, 1e308, 10**400, "x", [], {}, [[[]]], True, float("nan"), {"
 def command_of(name, words):
     words = {key: value for key, value in (words or {}).items() if isinstance(value, float)}
     if FreeCAD.GuiUp:
-        words.pop("Q", None)  # FreeCAD draws each peck, however short. See benchmarks/freecad_pecks.py.
+        words.pop("Q", None)  # FreeCAD would hang on tiny pecks, because it draws each (benchmarks/freecad_pecks.py)
     try:
         return CAM.Command(name, words)
     except (TypeError, ValueError, RuntimeError):
@@ -242,7 +242,7 @@ class Session:
             solid = job.Document.addObject("Part::Feature", "Solid")
             solid.Shape = self.rng.choice([Part.makeBox(60, 60, 20), Part.makeCylinder(30, 20), Part.makeSphere(20), Part.Shape(),
                                            Part.makeTorus(20, 5), Part.makeBox(9, 9, 9).Shells[0], Part.makePlane(9, 9)])  # fmt: skip
-            with suppress(TypeError):  # the property has another type
+            with suppress(TypeError):  # raised if the job's property Stock has been replaced by one of another type
                 job.Stock = solid
 
     def do_odd_property(self):
@@ -328,7 +328,7 @@ class Session:
         FreeCAD.closeDocument(document.Name)
         document = FreeCAD.openDocument(path)
         idle()
-        if not FreeCAD.GuiUp:  # with a window, the add-on itself checks
+        if not FreeCAD.GuiUp:  # with a window, the add-on itself compares the marks of an opened document
             from vkworkbench.document.marks import watcher
 
             watcher.check(document)
@@ -501,7 +501,7 @@ def main():
         timer = QtCore.QTimer()
         timer.timeout.connect(answer)
         timer.start(50)
-    faulthandler.register(signal.SIGPROF, chain=True)  # chain=True also ends the process
+    faulthandler.register(signal.SIGPROF, chain=True)  # write the traceback, then let the signal end the process
     while time.monotonic() < until and done < most:
         faulthandler.dump_traceback_later(STILL, exit=True)
         signal.setitimer(signal.ITIMER_PROF, LONGEST)

@@ -36,7 +36,7 @@ class KeptExample:
         self._path = path
         self.document, self.is_marked = None, False
         self._name = None
-        self._is_changed = False  # also True if a test changed the document and changed it back
+        self._is_changed = False  # whether FreeCAD has reported a change, even if the test has undone the change
         FreeCAD.addDocumentObserver(self)
 
     def open(self, *, may_be_marked: bool):
@@ -103,7 +103,7 @@ class KeptExample:
         self._is_changed = False
 
     def _look(self):
-        """Return the part of the document's state that is not in its content."""
+        """Return the part of the document's state that `_content` does not contain, such as undo steps and 3D views."""
         gui_document = Gui.getDocument(self._name)
         return {
             "touched": [obj.Name for obj in self.document.Objects if "Touched" in obj.State],

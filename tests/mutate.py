@@ -62,7 +62,7 @@ class Mutant(NamedTuple):
 
     line: int
     what: str
-    text: str  # text of the whole file
+    text: str  # text of the whole file after the change
 
 
 def mutants(source: str) -> list[Mutant]:
@@ -270,7 +270,7 @@ def judge(file: Path, drawn: list[Mutant], known: dict[str, Any], checkout: Chec
         (tries if tests else anew).append((mutant, tests or quickest))
     told = [(mutant, {test: known["seconds"][test] for test in tests}) for mutant, tests in tries]
     for (mutant, tests), lives in zip(tries, checkout.graft(file, told, jobs)):
-        if lives is None:  # the mutant changes only the import
+        if lives is None:  # the mutant changes only code that runs during the import
             anew.append((mutant, tests))
         elif lives:
             alive.append(mutant)

@@ -29,9 +29,9 @@ class Reached:
 
     def __init__(self, out: str) -> None:
         self.out = out
-        self.code = f"{ROOT}/vkworkbench/"  # the package in the copy of the checkout
+        self.code = f"{ROOT}/vkworkbench/"  # folder of the mutated package, in the copy of the checkout
         self.lines, self.seconds, self.shared = {}, {}, {}
-        self.seen = set()  # before the first test, the lines that imports reach
+        self.seen = set()  # lines that the running test has reached; before the first test, those of the imports
 
     def _trace(self, frame, _event, _argument):
         if not frame.f_code.co_filename.startswith(self.code):
@@ -49,7 +49,7 @@ class Reached:
 
     def pytest_runtest_call(self, item):
         self.seen = self.lines.setdefault(item.nodeid, set())
-        sys.settrace(self._trace)  # hypothesis and doctests may have set another trace function
+        sys.settrace(self._trace)  # set for each test, because hypothesis and doctests replace the trace function
 
     def pytest_runtest_logreport(self, report):
         self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
@@ -119,7 +119,7 @@ def graft(file: str, text: str) -> bool:
             differs |= instead[function.__code__] != function.__code__
             function.__code__ = instead[function.__code__]
     module = next((one for one in list(sys.modules.values()) if getattr(one, "__file__", None) == file), None)
-    if module is None:  # only the tests load this file
+    if module is None:  # only tests load this file, outside sys.modules
         return False
     fresh = {"__name__": module.__name__, "__file__": file}
     exec(new[0], fresh)  # noqa: S102 - the checkout's own source

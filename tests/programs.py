@@ -20,7 +20,7 @@ def program(strokes):
 
 
 def zigzag(rows=10, length=50.0, step=3.0, depths=(0.0,)):
-    """Return rows with alternating directions, linked along the border."""
+    """Return rows with alternating directions, each linked to the next row by a move along Y."""
     ends = [((0.0, length) if row % 2 == 0 else (length, 0.0)) for row in range(rows)]
     return program([[(x, row * step, z) for row in range(rows) for x in ends[row]] for z in depths])
 
@@ -31,13 +31,13 @@ def one_way(rows=10, length=50.0, step=3.0, depths=(0.0,)):
 
 
 def outline(sides=4, radius=30.0, z=0.0, start=0, waves=0.0, longer=0.0):
-    """Return a closed polygon, wavy with `waves`, and `longer` mm longer along X.
+    """Return a closed polygon; its sides are wavy if `waves` is not 0, and it is `longer` mm longer along X.
 
     One half of the polygon is moved along X, so that the offsets of a polygon remain offsets of the longer polygon.
     """
     points = []
     for i in range(sides):
-        angle = 2 * math.pi * (i + 0.1) / sides  # so that no corner lies on an axis
+        angle = 2 * math.pi * (i + 0.1) / sides  # with 0.1, no corner of the polygon is on an axis
         r = radius * (1 + waves * math.cos(3 * angle))
         points.append((r * math.cos(angle), r * math.sin(angle), z))
     if longer:

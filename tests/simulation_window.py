@@ -204,7 +204,7 @@ class Desk:
             for op in [op for op in document.Job.Operations.Group if op.Label not in labels]:
                 base = getattr(op, "Base", None)
                 document.removeObject(op.Name)
-                if hasattr(base, "TypeId"):  # op is a dress-up
+                if hasattr(base, "TypeId"):  # the base of a dress-up, which is removed with it
                     document.removeObject(base.Name)
             document.saveAs(str(path))
             FreeCAD.closeDocument(document.Name)

@@ -14,7 +14,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE / "gui"), str(HERE)]  # the conftest of the window first
+sys.path[:0] = [str(HERE / "gui"), str(HERE)]  # gui first, because the next import needs tests/gui/conftest.py
 
 from conftest import CAM_WORKBENCH, Window
 from inside_freecad import run_and_leave
@@ -28,7 +28,7 @@ def main() -> int:
     assert HERE.parent not in Path(vkworkbench.__file__).resolve().parents, "not the release"
     window = Window()
     window.main.show()
-    window.idle(1.0)  # FreeCAD asks questions at its first start
+    window.idle(1.0)  # s; wait for the questions that FreeCAD asks at its first start
     document = FreeCAD.ActiveDocument
     # In FreeCAD 0.20, the workbench first asks about units, in a box with its own event loop.
     answering = QtCore.QTimer()
@@ -83,7 +83,7 @@ def step(window: Window, button: str, command: str) -> None:
     if any(is_button(found, button) and found.isVisible() for found in window.find(QtGui.QToolButton)):
         window.click(button)
     else:
-        Gui.runCommand(command, 1)  # 1 switches the command on
+        Gui.runCommand(command, 1)  # the argument 1 switches a checkable command on
 
 
 def is_button(widget, text: str) -> bool:

@@ -21,7 +21,7 @@ def close(one, other, absolute, relative=0.0):
 
 
 def facts(zbuffer, **arguments):
-    """Return the facts visible in the image, without a check of the rapids on finer rays."""
+    """Return the facts (such as gouges) that the image shows, without a check of rapids on finer rays."""
     return room.facts(zbuffer, CrashCheck(), **arguments)
 
 
@@ -146,7 +146,7 @@ def level(rng, n):
 
 
 def one_level(rng, n):
-    """Return points at half the height of the stock, where depths are 0."""
+    """Return points in the plane of depth 0, at half the height of the stock."""
     points = free(rng, n)
     points[:, 2] = 5
     return points

@@ -14,7 +14,7 @@ from PathSimulator import PathSim
 
 from vkworkbench.core import Cut, Cylinder, Mesh, Stock, Tool, View, linearize, simulate_job
 
-STEP = 0.002  # mm, step of PathSimulator's tool profile
+STEP = 0.002  # distance between two points of PathSimulator's tool profile, mm
 UP, HIGH = Vector(0, 0, 1), 40.0
 BOX = Part.makeBox(40, 30, 10)
 FLAT, BALL, DRILL = Tool("endmill", 6), Tool("ballend", 6), Tool("drill", 5)
@@ -86,7 +86,7 @@ def test_volumes_equal_boolean_solids(name, direction):
 
 
 def heights(simulator, stock, cell):
-    """Return the height of every cell of a PathSimulator, (rows, columns), from the level facets of its meshes."""
+    """Return the height of every cell of a PathSimulator, (rows, columns), from the level triangles of its meshes."""
     size = np.rint((stock.upper - stock.lower) / cell).astype(int)
     found = np.full((size[1], size[0]), np.nan)
     for mesh in simulator.GetResultMesh():

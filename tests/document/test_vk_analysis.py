@@ -71,7 +71,7 @@ def test_table_names_every_operation_and_the_total(report):
         line for line in str(report).splitlines() if not line.startswith(("Rows in brackets", "Job: Less", "Job: More"))
     ]
     assert len(lines) == len(report.operations) + 4
-    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # the panel has the same titles
+    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # as in the panel
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
@@ -123,7 +123,7 @@ def test_command_numbers_of_spans_start_at_0(small, zigzag_commands, tmp_path):
 
 
 def test_table_of_two_documents_names_the_documents(small, example):
-    # If only one job has operations, the table does not name the job.
+    # If only one job has operations, the table has no column with the names of documents and jobs.
     assert str(vkworkbench.analyze([small.document, example])).startswith("operation ")
     small.add("Face", [("G0", {"X": 1.0, "Y": 1.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})])
     report = vkworkbench.analyze([small.document, example])
@@ -169,7 +169,7 @@ def test_documents_jobs_and_operations_can_be_analyzed(small, zigzag_commands):
         vkworkbench.analyze(7)
     with pytest.raises(TypeError, match="not str"):
         vkworkbench.analyze([second, "Job"])
-    (missing,) = vkworkbench.analyze("Job").operations  # the text is read as a file name
+    (missing,) = vkworkbench.analyze("Job").operations  # `analyze` reads a text as the name of a G-code file
     assert missing.error == "The file cannot be read: No such file or directory."
 
 
@@ -203,7 +203,7 @@ def test_base_of_dress_up_and_array_is_not_counted(small, zigzag_commands):
     array.addProperty("App::PropertyInteger", "Copies", "Path")
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
     assert counted == {"Base": False, "Dress-up": True, "Array": True}
-    small.job.Operations.Group = [dressup, array]  # FreeCAD's window removes the base, too
+    small.job.Operations.Group = [dressup, array]  # the base is not in the group, as after a dress-up in the window
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name
@@ -258,7 +258,7 @@ def test_copy_of_an_operation_is_counted_with_its_original(small, zigzag_command
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [
         False,
         True,
-    ]  # the copy counts as a dress-up
+    ]  # without its class ObjectPathCopy, the copy counts as a dress-up, whose base is not posted
     copy.Proxy = type("ObjectPathCopy", (), {"__module__": "Path.Op.Gui.Copy"})()
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [True, True]
 
@@ -307,7 +307,7 @@ def test_inactive_operation_is_shown_as_switched_off(small, zigzag_commands):
     op.Active = False
     (off,) = vkworkbench.analyze(small.document).operations
     assert off.strategy == "empty" and not off.counted and off.error.startswith("The operation is switched off.")
-    assert off.remarks[0].code == "inactive"  # the code that programs compare
+    assert off.remarks[0].code == "inactive"  # scripts compare this code, which is the same in every language
     report = vkworkbench.analyze(small.document)
     assert small.document.getObject(off.name) is op and report.totals[0].operations == 0
     row = str(report).splitlines()[2]
@@ -321,7 +321,7 @@ def test_inactive_operation_is_shown_as_switched_off(small, zigzag_commands):
 
 def test_stop_without_a_tool_has_no_error(small):
     stop = small.add("Stop", [("(Stop)", {}), ("M1", {})])
-    stop.removeProperty("ToolController")  # stops and comments of FreeCAD have no tool
+    stop.removeProperty("ToolController")  # FreeCAD's own stops and comments have no tool controller
     (stop,) = vkworkbench.analyze(small.document).operations
     assert stop.strategy == "empty" and stop.error is None
     row = str(vkworkbench.analyze(small.document)).splitlines()[2]
@@ -472,7 +472,7 @@ def rows_of_a_failure(report):
     rows = report.operations
     assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
     line = next(line for line in str(report).splitlines() if line.startswith("First"))
-    assert line.split()[4:6] == ["?", "?"], line  # the length and the time of First are unknown
+    assert line.split()[4:6] == ["?", "?"], line  # First has neither length nor time
     return rows
 
 
@@ -515,7 +515,7 @@ def test_memory_error_affects_only_its_own_mark(small, zigzag_commands, monkeypa
 
 def test_analysis_reads_each_input_once(small, zigzag_commands):
     """One analysis reads the commands, the tool and the stock of an operation once."""
-    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # with an arc, the cautions for arcs are computed, too
+    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # cautions for arcs are computed, too
     small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
     vkworkbench.analyze(small.document)  # the first analysis measures the computer
     RESULTS.clear()

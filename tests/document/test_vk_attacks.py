@@ -74,7 +74,7 @@ def test_dress_up_is_analyzed_after_its_base_is_deleted(small, zigzag_commands):
     small.document.removeObject(base.Name)
     small.document.commitTransaction()
     assert "no tool" in rows(small.document)["Top"].error
-    for _ in range(3):  # undo the clearing, the marking and the deletion
+    for _ in range(3):  # undo clearing the mark, marking the operation, and deleting the base
         small.document.undo()
     assert rows(small.document)["Top"].error is None
 
@@ -102,7 +102,7 @@ def test_operation_in_a_container_is_analyzed(small, zigzag_commands, container)
     op = small.add("Zigzag", zigzag_commands)
     holder = small.document.addObject(container, "Holder")
     small.document.recompute()
-    with suppress(TypeError, ValueError, RuntimeError):  # a body accepts no toolpath
+    with suppress(TypeError, ValueError, RuntimeError):  # raised by a container that accepts no toolpath, as a body
         if container == "App::LinkGroup":
             holder.ElementList = [op, small.job]
         else:
@@ -161,7 +161,7 @@ def test_job_deleted_during_the_analysis_is_tolerated(small, zigzag_commands):
     def delete(done, *_):
         if done == 1:
             small.job.Operations.Group = []
-            small.job.Proxy = None  # deleting the job would delete its operations
+            small.job.Proxy = None  # otherwise FreeCAD would delete the operations together with the job
             small.document.removeObject(small.job.Name)
 
     report = vkworkbench.analyze(small.document, progress=delete)
@@ -202,7 +202,7 @@ PATHS = {
 @pytest.mark.parametrize("name", first_everywhere(PATHS, 5))
 def test_odd_path_does_not_affect_the_other_operation(small, zigzag_commands, name):
     op = small.add("Odd", [])
-    with suppress(TypeError, ValueError):  # FreeCAD refuses some odd paths
+    with suppress(TypeError, ValueError):  # if FreeCAD refuses the odd path, the operation keeps its empty path
         op.Path = CAM.Path([CAM.Command(*command) for command in PATHS[name]])
     small.add("Sound", zigzag_commands)
     found = rows(small.document)

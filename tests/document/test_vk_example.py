@@ -32,7 +32,7 @@ def test_example_operation_cuts_with_its_tool(example, label):
     feeds = [command for command in op.Path.Commands if command.Name in ("G1", "G2", "G3", "G81", "G83")]
     assert len(feeds) >= 10
     assert op.isValid()
-    if label != "Cut out with tags":  # a dress-up has the tool of its base
+    if label != "Cut out with tags":  # this operation is a dress-up, which has no tool controller of its own
         assert op.ToolController.Tool.Diameter.Value == TOOL_DIAMETERS[label]
 
 

@@ -76,7 +76,8 @@ def test_all_fingerprinted_properties_are_watched(example):
             spied = read_setting_fingerprints(obj, job)
             assert spied == read_setting_fingerprints(operation.object, operation.job)
     assert {"ToolController", "Tool", "Diameter", "Stock", "Shape"} <= read
-    untold = {"Base", "Label"}  # Base changes together with Group; Label is used in messages only
+    # These properties need not be watched: Base changes together with Group, and Label is used in messages only.
+    untold = {"Base", "Label"}
     assert read - untold <= freecad.names_in_fingerprint("setting")
 
 
@@ -90,7 +91,8 @@ def names_in(code):
 
 
 def test_only_freecad_py_names_cam_properties():
-    core = {"Path", "Placement", "Shape", "Group", "Base", "Length"}  # properties of FreeCAD itself keep their names
+    # Properties that FreeCAD itself defines have these names in every version, so any file may use the names.
+    core = {"Path", "Placement", "Shape", "Group", "Base", "Length"}
     names = {name for entry in PROPERTIES.values() for name in entry.names} - core
     for folder in ("document", "gui"):
         for path in (PACKAGE / folder).rglob("*.py"):

@@ -60,7 +60,7 @@ def test_young_garbage_is_collected_above_the_threshold(collector):
     ring = gone()
     gc.set_threshold(1_000_000)
     garbage.collect()
-    assert ring() is not None  # it is too early for the next collection
+    assert ring() is not None  # not collected, because there are too few new objects for a collection
     gc.set_threshold(1)
     more = [[] for _ in range(10)]
     garbage.collect()
@@ -104,7 +104,8 @@ def test_freed_memory_returns_to_the_system(collector):
 
     def work():
         blocks = [bytes([1]) * 60_000 for _ in range(2_000)]
-        kept.append(bytes([1]) * 60_000)  # the last block: memory before a used block stays with the process
+        # This used block comes last, because the C library keeps freed memory that precedes a used block.
+        kept.append(bytes([1]) * 60_000)
         blocks.clear()
 
     thread = threading.Thread(target=work)

@@ -2,7 +2,7 @@
 """
 Hostile documents: a broken object has an error in its own row of the report, and affects no other row.
 
-Only the mark changes the object.
+Of a broken object, the add-on changes only the properties of its mark.
 """
 
 import csv
@@ -88,7 +88,7 @@ def test_link_to_a_deleted_object_is_an_error(small, zigzag_commands, lost, word
               "group": small.job.Operations, "job": small.job}[lost]  # fmt: skip
     small.document.removeObject(victim.Name)
     names = {obj.Name for obj in small.document.Objects}
-    if op.Name in names:  # FreeCAD may delete the content of a job with the job
+    if op.Name in names:  # not if FreeCAD has deleted the operation together with its job
         (row,) = analyze_mark_clear(small.document).operations
         assert row.strategy == "zigzag" and words in row.error
         assert (row.estimate is None) == (words == "no tool")
@@ -172,7 +172,7 @@ def test_odd_labels_are_shown_as_plain_text(small, zigzag_commands, label, tmp_p
     own = label
     op.Label2 = own
     small.controller.Label = small.job.Label = label
-    small.controller.Tool.Diameter = 0  # the remark names the controller
+    small.controller.Tool.Diameter = 0  # causes a remark that contains the label of the tool controller
     kept = op.Label
     seen = []
     report = vkworkbench.analyze(small.document, progress=lambda done, count, text: seen.append(text))
@@ -319,7 +319,7 @@ def test_work_for_a_thousand_operations_is_linear(small, zigzag_commands):
     few = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
     operations += add_many(small, 900, zigzag_commands)
     many = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
-    assert max(b / a for a, b in zip(few, many)) < 12  # the ratio would be 10 if linear, and 100 if quadratic
+    assert max(b / a for a, b in zip(few, many)) < 12  # ten times the operations: 10 if linear, 100 if quadratic
     assert [len(find(what)) for what in (operations, document, small.job)] == [1000] * 3
     report = vkworkbench.analyze(document)
     assert len(report.operations) == 1000 and report.totals[0].operations == 1000
@@ -360,7 +360,7 @@ def test_marking_and_clearing_leave_no_open_transaction(small, zigzag_commands, 
     op = small.add("Zigzag", zigzag_commands)
     small.document.UndoMode = undo_mode
     report = vkworkbench.analyze(small.document)
-    for _ in range(2):  # the second call changes nothing
+    for _ in range(2):  # call each function twice, because an undo step without changes could stay open
         vkworkbench.mark(report)
         assert FreeCAD.getActiveTransaction() is None and not small.document.HasPendingTransaction
     assert small.document.UndoCount == undo_mode and marks.is_marked(op)
@@ -429,7 +429,7 @@ def test_decimal_comma_in_the_locale_changes_no_result(example, decimal_comma, t
 def test_unit_system_of_the_user_changes_no_result(example):
     before = findings(vkworkbench.analyze(example))
     try:
-        FreeCAD.Units.setSchema(2)  # FreeCAD shows inches
+        FreeCAD.Units.setSchema(2)  # a unit schema with inches
         assert findings(vkworkbench.analyze(example)) == before
     finally:
         FreeCAD.Units.setSchema(6)

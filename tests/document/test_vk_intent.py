@@ -92,9 +92,9 @@ def test_pattern_of_a_slot_does_not_contradict_a_profile(small):
 )
 def test_zigzag_fits_a_waterline_operation_with_a_pattern(small, zigzag_commands, algorithm, pattern, called):
     """
-    Only the experimental algorithm clears its layers with a pattern.
+    FreeCAD's Waterline operation clears each depth with a pattern only if it uses the experimental algorithm.
 
-    So a zigzag in a Waterline operation is not a contradiction only if the operation has this algorithm.
+    Therefore a zigzag contradicts a Waterline operation with any other algorithm.
     """
     waterline = small.add("Waterline", zigzag_commands)
     for name, value in (("Algorithm", algorithm), ("CutPattern", pattern)):
@@ -133,6 +133,6 @@ def test_results_file_contains_contradictions(small, zigzag_commands, tmp_path):
     with open(tmp_path / "job.csv", newline="", encoding="utf-8") as file:
         (row,) = csv.DictReader(file)
     assert (row["label"], row["strategy"], row["called"]) == ("2D Pocket3", "zigzag", "Offset")
-    op.OffsetPattern = "ZigZag"  # the new pattern is read without a recompute
+    op.OffsetPattern = "ZigZag"  # the next analysis uses the new pattern although the path was not recomputed
     (again,) = vkworkbench.analyze(small.document).operations
     assert again.called is None

@@ -91,7 +91,7 @@ def test_verdict_on_a_job_is_outdated_after_a_change(small, slot, change):
     small.document.commitTransaction()
     assert verdict(small).outdated and "outdated" in small.job.Remarks
     vkworkbench.mark(vkworkbench.analyze(small.job))
-    assert verdict(small).outdated  # the changed job was not simulated
+    assert verdict(small).outdated  # a new analysis is not enough: the changed job has to be simulated, too
     simulated_and_marked(small)
     assert verdict(small).is_sound
 

@@ -45,11 +45,11 @@ def test_time_is_near_the_budget_from_half_of_the_budget(seconds, expected):
     [
         ({}, False),
         ({"remarks": (NOTHING,)}, True),
-        ({"called": "ZigZag"}, True),  # the strategy differs from the type
+        ({"called": "ZigZag"}, True),  # FreeCAD's type ZigZag contradicts the recognised strategy
         ({"cautions": (hangs("legacy"),)}, True),
-        ({"cautions": (hangs("OpenGL"),)}, False),  # the other simulator is not the chosen one
+        ({"cautions": (hangs("OpenGL"),)}, False),  # the preferences choose the legacy simulator, not OpenGL
         ({"cautions": (hangs("OpenGL"), hangs("legacy"))}, True),
-        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # the caution is not serious
+        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # short moves are no problem
     ],
     ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )

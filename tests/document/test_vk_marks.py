@@ -503,7 +503,7 @@ def test_second_marking_restores_a_removed_text(small, zigzag_commands):
     vkworkbench.mark(report)
     texts = op.Label2, small.job.Label2
     op.Label2 = small.job.Label2 = ""
-    # An automatic update does not write the mark's text again; only a new analysis does.
+    # An automatic update does not write again the mark's text that the user has removed; only a new analysis does.
     refresh(op, lambda _: ())
     assert (op.Label2, small.job.Label2) == ("", "")
     vkworkbench.mark(vkworkbench.analyze(small.document))
@@ -512,7 +512,7 @@ def test_second_marking_restores_a_removed_text(small, zigzag_commands):
 
 def test_refresh_returns_whether_the_mark_has_changed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
-    assert not refresh(op, lambda _: ())  # the operation has no mark
+    assert not refresh(op, lambda _: ())  # False, because there is no mark yet
     vkworkbench.mark(vkworkbench.analyze(small.document))
     _, setting = fingerprint.path_and_setting(marks.read(op).fingerprint)
     assert not refresh(op, lambda _: (setting,))
@@ -533,7 +533,7 @@ def test_total_is_outdated_while_one_operation_is_outdated(small, zigzag_command
     refresh(one, lambda _: (setting,))
     marks.refresh_total(small.job)
     assert not marks.is_outdated(small.job)
-    # A new total is outdated if one of the operations' marks is outdated.
+    # A total that is computed from marks is outdated if one of the marks is outdated.
     refresh(other, lambda _: ("another",))
     marks.write_total(small.job, preferences.read())
     assert marks.is_outdated(small.job)
@@ -598,7 +598,7 @@ def test_new_words_of_the_user_come_before_the_mark(small, zigzag_commands):
     mark = op.Label2
     op.Label2 = f"before {mark}"
     assert marks.with_words(op, "mine ") == f"mine {mark}" and marks.with_words(op, "") == mark
-    op.Label2 = f"⟦zigzag⟧ {mark}"  # an earlier version wrote the first mark
+    op.Label2 = f"⟦zigzag⟧ {mark}"  # the text in the first brackets is a mark as an earlier version wrote it
     assert marks.with_words(op, "mine") == f"mine {mark}"
 
 

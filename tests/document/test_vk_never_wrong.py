@@ -249,7 +249,7 @@ def test_stock_of_another_form_in_the_same_box_outdates_marks(marked):
     for name in ("box", "cylinder", "tube"):
         solid.Shape = STOCKS[name]()
         vkworkbench.mark(vkworkbench.analyze(document))
-        # A new analysis of the same shape gives the same fingerprint.
+        # Analysing an equal shape again gives the fingerprint of the first analysis.
         assert marks.read(marked.op).fingerprint == found[name]
 
 

@@ -158,7 +158,7 @@ def test_error_while_reading_affects_one_operation_only(sound, zigzag_commands, 
 def test_argument_that_is_not_a_document_is_refused(small, what):
     with pytest.raises(TypeError, match="only a document, a job or operations"):
         vkworkbench.clear(what)
-    if not isinstance(what, str) and what != ["x"]:  # analyze reads a text as a file name
+    if not isinstance(what, str) and what != ["x"]:  # `analyze` reads texts as file names
         with pytest.raises(TypeError, match="only a document, a job or operations"):
             vkworkbench.analyze(what)
 

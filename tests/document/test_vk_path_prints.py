@@ -46,7 +46,7 @@ def test_cache_observes_documents_only_once(small, zigzag_commands, prints, monk
         found(prints, small.add(name, zigzag_commands))
     assert heard == [prints]
     monkeypatch.undo()
-    FreeCAD.addDocumentObserver(prints)  # the fixture removes this observer
+    FreeCAD.addDocumentObserver(prints)  # added because the fixture removes the observer at the end
 
 
 def test_path_changed_during_the_search_has_no_fingerprint(small, zigzag_commands, prints):
@@ -56,7 +56,7 @@ def test_path_changed_during_the_search_has_no_fingerprint(small, zigzag_command
         op.Path = Path.Path(op.Path.Commands[:-1])
 
     assert found(prints, op, meanwhile=edit) is None
-    assert found(prints, op, "") is None  # an empty fingerprint means that the search failed
+    assert found(prints, op, "") is None  # failed searches ("") are not stored
     assert found(prints, op, "g") == "g"
 
 
@@ -99,4 +99,4 @@ def test_cache_keeps_the_last_used_shapes():
         2,
         0,
         2,
-    ]  # shape 1 was used after shape 0, so shape 2 replaces shape 0
+    ]  # in a cache of two results, shape 2 has replaced shape 0, which was not used for the longest time

@@ -65,7 +65,7 @@ def test_default_preferences_match_the_documents():
 
 
 LIMITS = {
-    "legacy_accuracy": (0.1, 1.0), "opengl_quality": (1, 10),  # the ends of FreeCAD's sliders
+    "legacy_accuracy": (0.1, 1.0), "opengl_quality": (1, 10),  # limits of the sliders in FreeCAD's simulators
     "time_budget": (0.1, 1e6), "memory_budget": (1.0, 1e6), "image_width": (1, 10_000), "image_height": (1, 10_000),
     "tolerance": (1e-4, 1.0), "holder_diameter": (0.0, 1e4), "holder_length": (0.0, 1e4),
     "travel_x": (0.0, 1e6), "travel_y": (0.0, 1e6), "travel_z": (0.0, 1e6),
@@ -194,7 +194,7 @@ def test_marks_are_updated_after_a_relevant_preference_changes(monkeypatch):
     upkeep.watch()
     upkeep.watch()
     assert len(observers) == len(told) == 1
-    told[0]("tolerance")  # marks do not depend on the tolerance
+    told[0]("tolerance")  # a changed tolerance does not change the text of any mark
     assert not followed
     told[0]("time_budget")
     assert followed
@@ -228,7 +228,7 @@ def test_analysis_after_recompute_depends_on_the_preference(example, wanted):
     assert marks.is_outdated(drill) != wanted
     assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
-    assert "Touched" not in drill.State and example.UndoCount == steps  # no undo step was added after the user's steps
+    assert "Touched" not in drill.State and example.UndoCount == steps  # no new undo step
 
 
 def test_travel_of_the_machine_is_compared_with_the_whole_job(small):

@@ -117,8 +117,9 @@ def test_total_combines_the_records_of_operations():
     found = of_total(total, [WHOLE, untimed], "f")
     assert found.strategy is None and (found.operations, found.trajectories, found.length) == (2, 200, 900.0)
     assert found.machining_seconds == 61.5 and of_total(total, [untimed], "f").machining_seconds is None
-    assert found.cautions == (HANGS,)  # a simulator that hangs on one operation also hangs on the job
-    assert found.left_out == WHOLE.left_out and found.setup == total.setup  # the same cause is listed only once
+    assert found.cautions == (HANGS,)  # the simulator that hangs on one of the operations also hangs on the job
+    # A cause that two operations have in common is listed only once.
+    assert found.left_out == WHOLE.left_out and found.setup == total.setup
     (remark,) = found.remarks
     assert remark.code == "cost-unknown"
 

@@ -59,7 +59,7 @@ def test_package_xml_has_the_repository_address(tmp_path):
     for place in (
         "https://example.org/one/first",
         "https://example.org/other/second.git/",
-    ):  # the second address replaces the first
+    ):  # writing a repository address again replaces the former address
         text = make_release.with_urls(text, place, "trunk")
     place = "https://example.org/other/second"
     package = tmp_path / "package.xml"
@@ -95,7 +95,7 @@ def test_release_script_writes_the_repository_address(tmp_path):
     for told in (
         release("--repository", "https://example.org/owner/name"),
         release(),
-    ):  # the next release keeps the address
+    ):  # the second release, made without an address, has the address of the first
         assert (told.returncode, told.stderr) == (0, "")
         with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
             package = Path(file.extract(f"{make_release.FOLDER}/package.xml", tmp_path))

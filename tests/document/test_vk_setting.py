@@ -61,7 +61,7 @@ def test_given_commands_are_the_text_of_a_long_path():
     path = SimpleNamespace(Size=len(commands))
     expected = "".join(f"G1 X{k}\n" for k in range(len(commands)))
     assert text_of(path, commands) == expected
-    path.Commands = list(commands)  # FreeCAD's Path returns a new list each time
+    path.Commands = list(commands)  # a copy, as the attribute Commands of FreeCAD's Path returns
     assert text_of(path) == expected and path.Commands == []  # text_of frees the commands batch by batch
     short = SimpleNamespace(Size=AT_ONCE, toGCode=lambda: "at once")
     assert text_of(short) == text_of(short, []) == "at once"

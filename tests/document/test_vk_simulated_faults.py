@@ -47,7 +47,7 @@ def test_fault_is_dropped_after_a_toolpath_change(small):
         before = op.Path
         op.Path = type(before)(before.Commands[:-1])
         assert told(small)["Second"] == []
-        op.Path = before  # the old path is back, but was not simulated again
+        op.Path = before  # even with the former path, the dropped fault is only found by a new simulation
         assert told(small)["Second"] == []
         for obj in small.document.getObjectsByLabel("First") + small.document.getObjectsByLabel("Second"):
             small.document.removeObject(obj.Name)
@@ -76,7 +76,8 @@ def test_fault_is_shown_with_a_mark_but_not_stored_in_it(small):
     assert [remark.code for remark in read_with_faults(second).remarks][-1] == "simulated"
     vkworkbench.mark(vkworkbench.analyze(small.document))
     first = small.document.getObjectsByLabel("First")[0]
-    first.Path = type(first.Path)(first.Path.Commands[:-1])  # the part before the second operation has changed
+    # A change of the first operation changes the part into which the second operation cuts.
+    first.Path = type(first.Path)(first.Path.Commands[:-1])
     assert not [remark for remark in read_with_faults(second).remarks if remark.code == "simulated"]
 
 
@@ -86,7 +87,7 @@ def test_keep_faults_returns_whether_the_faults_are_new(small):
     first, second = read_job(small.job).operations
     crash, other = [(1, CRASH)], [(2, CRASH)]
     assert not keep_faults({first: [], second: []})
-    assert keep_faults({first: crash, second: []})  # the faults of one operation are new
+    assert keep_faults({first: crash, second: []})  # true, because the first operation has a new fault
     assert not keep_faults({first: crash, second: []})
     assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})

@@ -205,13 +205,13 @@ def test_image_of_the_part_shows_the_chosen_step(small, tmp_path):
     assert image.shape == before.shape == (80, 120, 3) and image.dtype == np.uint8
     changed = (image != before).any(axis=-1)
     row, column = np.nonzero(changed)
-    assert row.min() > 40 and column.max() - column.min() > 90  # the slot is near the front and extends along X
+    assert row.min() > 40 and column.max() - column.min() > 90  # pixels of the slot, near the front along X
     done.save_png(tmp_path / "part.png")
     assert (tmp_path / "part.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(OSError):
         done.save_png(tmp_path / "nowhere" / "part.png")
     done.save_png(str(tmp_path / "PART.PNG"))
-    for name in ("part.jpg", "part", ".png"):  # names that do not end with .png
+    for name in ("part.jpg", "part", ".png"):  # file names without the suffix .png; a lone ".png" is no suffix
         with pytest.raises(ValueError, match=r"must end with \.png"):
             done.save_png(tmp_path / name)
     assert not (tmp_path / "part.jpg").exists()
@@ -334,7 +334,7 @@ def test_report_contains_simulation_findings(small, tmp_path):
         one.to_json(tmp_path / f"{name}.json")
         with open(tmp_path / f"{name}.csv", newline="", encoding="utf-8") as file:
             lines[name] = list(csv.DictReader(file))
-    assert list(lines["before"][0]) == list(lines["after"][0])  # without a simulation the columns exist, but are empty
+    assert list(lines["before"][0]) == list(lines["after"][0])  # the same columns, with or without a simulation
     assert lines["before"][0]["simulated_crashes"] == "" and lines["after"][0]["simulated_crashes"] == "1"
     volume = found.operations[1][1].removed_volume
     assert float(lines["after"][1]["simulated_removed_volume"]) == volume > 0
@@ -626,7 +626,7 @@ def test_simulation_facts_are_the_same_from_every_view(small):
     assert [[crash.source.command for crash in one.job.crashes] for one in found] == [[1]] * 3
     assert [[gouge.depth for gouge in one.job.gouges] for one in found] == [[pytest.approx(3)]] * 3
     assert len({str(one) for one in found}) == 1 and "1 rapid cuts into material. " in str(found[0])
-    volume = np.pi / 16 * 4  # the stock is 1 mm higher than the model
+    volume = np.pi / 16 * 4  # mm^3; the hole is 3 mm deep in the model, and the stock is 1 mm higher
     assert abs(found[0].job.removed_volume - volume) <= found[0].job.removed_volume_error <= 0.01 * volume
     assert found[0].job.pixel == found[0].verdict.pixel == 0.5 / 16
 

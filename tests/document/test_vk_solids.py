@@ -81,7 +81,7 @@ def test_form_of_stock_that_is_not_a_box(small, name, form):
     """
     The expected form of "two" contains the volume, area and centre of two cubes of 10 mm that are 20 mm apart.
 
-    The factor 1.0037 keeps the values away from limits of the rounding.
+    The factor 1.0037 changes the expected values, so that none is halfway between two rounded values.
     """
     job = with_stock(small, SHAPES[name][0])
     assert form_of_stock(job, read_stock(job)) == form
@@ -194,6 +194,6 @@ def test_results_of_the_last_used_shapes_are_kept():
         assert found(number) == f"of {number}"
     assert asked == [0, 1, 2]
     found(0)
-    found(3)  # the cache holds 3 shapes; shape 0 was used last and stays
+    found(3)  # replaces shape 1 in the cache of three shapes, because shape 0 was used later
     assert [found(number) for number in (0, 2, 3)] == ["of 0", "of 2", "of 3"] and asked == [0, 1, 2, 3]
     assert found(1) == "of 1" and asked == [0, 1, 2, 3, 1]

@@ -64,7 +64,7 @@ def test_mark_of_inactive_operation_shows_switched_off(watched, tmp_path):
     commands, before, total = first.Path.Commands, descriptions(document), marks.read(first)
     first.Active = False
     document.recompute()
-    assert descriptions(document)[first.Name] == before[first.Name]  # FreeCAD has not removed the toolpath yet
+    assert descriptions(document)[first.Name] == before[first.Name]  # the toolpath still exists
     switch(first, False, commands)
     assert first.Label2 == "⟦switched off⟧" and first.Strategy == "empty" and outdated(document) == []
     told = marks.read(first)
@@ -103,7 +103,7 @@ def test_change_while_inactive_outdates_the_mark(watched):
     switch(first, True, commands[:-3])
     assert first.Label2.endswith(" · outdated⟧")
     switch(first, False, commands)
-    assert first.Label2 == "⟦switched off⟧"  # the mark is outdated, but "switched off" is more important
+    assert first.Label2 == "⟦switched off⟧"  # instead of "outdated", because it is more important to the user
     watched.controller.Tool.Diameter = 4
     watched.document.recompute()
     assert first.Label2 == "⟦switched off⟧" and watched.second.Label2.endswith(" · outdated⟧")
@@ -335,7 +335,7 @@ CURVED = {
 @pytest.mark.parametrize("name", CURVED)
 def test_displayed_mesh_of_a_stock_does_not_outdate_marks(watched, name):
     make, fingerprint = CURVED[name]
-    watched.job.Stock.Proxy = None  # without a proxy, a recompute keeps the given shape
+    watched.job.Stock.Proxy = None  # the proxy would replace the shape that is set below at the next recompute
     watched.job.Stock.Shape = make()
     vkworkbench.mark(vkworkbench.analyze(watched.document))
     box = str(watched.job.Stock.Shape.BoundBox)

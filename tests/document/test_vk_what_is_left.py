@@ -24,7 +24,7 @@ def pocket(small):
 
 @pytest.mark.parametrize("view", first_everywhere(["Top", "Isometric", View(width=100, height=80, offset=(20, 0))]))
 def test_stl_file_is_closed_and_has_the_volume(small, tmp_path, view):
-    """The STL file contains the whole part, even if the view shows only a section of the part."""
+    """The STL file contains the whole part, even if the image shows only a region of the part."""
     small.add("Pocket", POCKET)
     done = vkworkbench.simulate(small.job, view=view)
     done.save_stl(tmp_path / "part.stl")
@@ -76,7 +76,7 @@ def test_stock_from_a_simulation_is_turned_with_the_model(small, pocket):
     assert stock.lower == pytest.approx((-1, -1, -1), abs=0.01) and stock.upper == pytest.approx((61, 41, 21), abs=0.01)
     assert done.at(0).zbuffer.part_volume == pytest.approx(pocket.zbuffer.part_volume, rel=1e-3)
     picture = done.at(0).zbuffer.picture.depth
-    assert np.nanmax(picture) - np.nanmin(picture) < 1e-4  # the upper side has no pocket
+    assert np.nanmax(picture) - np.nanmin(picture) < 1e-4  # the upper side is flat, without the pocket
     mesh = done.mesh()
     assert mesh.isSolid() and mesh.Volume == pytest.approx(done.zbuffer.part_volume, rel=1e-5)
 
