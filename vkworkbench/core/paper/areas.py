@@ -39,7 +39,7 @@ class Areas(Moves):
 
     @cached_property
     def end(self) -> np.ndarray:
-        """Index after the last move of each area, (a,) int: area i consists of the moves start[i] .. end[i] - 1."""
+        """Index after the last move of each area, (a,) int: area i consists of the moves start[i] to end[i] - 1."""
         return np.append(self.start[1:], len(self)) if len(self) else self.start
 
     @cached_property
@@ -64,12 +64,12 @@ class Areas(Moves):
 
     @cached_property
     def _signs(self) -> tuple[np.ndarray, np.ndarray]:
-        """Sign of each half turn, and the last alternating sign of each area; see :func:`signs_of_reversals`."""
+        """Signs of the half turns, and the last alternating sign in each area; see :func:`signs_of_reversals`."""
         return signs_of_reversals(self.turning, self.unsigned, self.start, TURNS.UNSIGNED)
 
     @cached_property
     def signed(self) -> tuple[np.ndarray, np.ndarray]:
-        """Turning and phi, both (m,) rad, with chosen signs for the half turns, as in :class:`Signature`."""
+        """Turning and phi, both (m,) rad, with the signs of half turns that :func:`signs_of_reversals` chooses."""
         if not len(self.unsigned):
             return self.turning, self.phi
         signs = self._signs[0]
@@ -130,7 +130,7 @@ class Areas(Moves):
 
     @cached_property
     def signed_extremes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest phi of each area, (a,) rad each, with signed half turns and without closing turns."""
+        """Lowest and highest phi of each area, with the chosen signs of half turns and no closing turn, (a,) rad each."""
         return extremes(self.signed[1], self.start) if len(self.unsigned) else self.phi_extremes
 
     @cached_property

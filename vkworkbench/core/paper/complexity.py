@@ -26,7 +26,8 @@ class Complexity:
         Sum of the turns with their signs, rad: the cumulative angular function phi at the end.
     windings : float
         Net turning as a number of full turns: 1 for a counter-clockwise closed contour that does not cross itself, -1
-        for a clockwise contour. The paper's level is the net turning in full turns, truncated toward zero.
+        for a clockwise contour that does not cross itself. The paper's level is the net turning in full turns,
+        truncated toward zero.
     """
 
     total_turning: float

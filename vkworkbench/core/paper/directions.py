@@ -54,7 +54,7 @@ def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray 
 def signs_of_reversals(
     turning: np.ndarray, at: np.ndarray, start: np.ndarray, half: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Choose signs for the half turns, so that moves back and forth do not add up in phi.
+    """Choose signs for the half turns, so that moves back and forth do not add up in phi, the sum of the turns.
 
     A half turn to the left and a half turn to the right lead into the same direction, so a half turn has no sign of its
     own. If the tool leaves its path and returns on the same line, for example to relieve a corner, the half turn at the
@@ -64,7 +64,8 @@ def signs_of_reversals(
     Parameters
     ----------
     turning : (m,) float
-        Turn at the start of each move, rad, from which half turns are already subtracted; 0 at the start of an area.
+        Turn at the start of each move, rad, where half a turn is already subtracted from each half turn; 0 at the start
+        of an area.
     at : (r,) int
         Indices of the moves that begin with a half turn, ascending.
     start : (a,) int
@@ -77,7 +78,8 @@ def signs_of_reversals(
     signs : (r,) int64
         +1 or -1.
     last : (a,) int64
-        Last alternating sign of each area, 0 if the area has none. The first alternating sign brings phi toward zero.
+        Sign of the last half turn with alternating signs in each area; 0 if the area has no such half turn. The first
+        of these half turns gets the sign that brings phi (the sum of the turns) toward zero.
     """
     last = np.zeros(len(start), np.int64)
     if not len(at):
@@ -98,16 +100,17 @@ def signs_of_reversals(
         rank = np.arange(len(area)) - np.repeat(first, size)
         begin = np.repeat(np.where(phi[first] > TURNS.EXACT, -1, 1), size)
         signs[others] = begin * (1 - 2 * (rank & 1))
-        last[area] = signs[others]  # if an area occurs several times, numpy keeps the last value
+        last[area] = signs[others]  # for an area with several half turns, numpy keeps the sign of the last half turn
     return signs, last
 
 
 def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: float) -> np.ndarray:
-    """Return phi of closed paths after the closing turn, from the last move into the first, (k,) rad.
+    """Return the total turning of closed paths: phi of the last move plus the closing turn, (k,) rad.
 
-    If the closing turn is half a turn, its sign is unknown. If the path has half turns with alternating signs, the
-    closing turn gets the sign that continues the alternation. Otherwise, for example at the tip of a lead-in along
-    which the tool also leaves the contour, the closing turn gets the sign that brings phi closest to one full turn.
+    The closing turn is the turn from the last move into the first. If the closing turn is half a turn, its sign is
+    unknown. If the path has half turns with alternating signs, the closing turn gets the sign that continues the
+    alternation. Otherwise, for example at the tip of a lead-in along which the tool also leaves the contour, the
+    closing turn gets the sign that brings phi closest to one full turn.
 
     Parameters
     ----------
@@ -126,7 +129,7 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
 
 def extremes(values: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the lowest and highest of `values` (m,) in each area, (a,) each; areas begin at the moves `start` (a,)."""
-    if len(start) == 1:  # for one area, min and max are many times faster than reduceat
+    if len(start) == 1:  # for a single area, min and max are many times faster than reduceat
         return values.min(keepdims=True), values.max(keepdims=True)
     return np.minimum.reduceat(values, start), np.maximum.reduceat(values, start)
 
@@ -138,7 +141,7 @@ def level_of(phi: np.ndarray) -> np.ndarray: ...
 def level_of(phi: float | np.ndarray) -> int | np.ndarray:
     """Return the level n, the number of whole turns in phi, truncated toward zero.
 
-    A phi that is below a whole turn only by rounding counts as the whole turn.
+    If phi is below a whole turn only because of rounding, the whole turn counts.
 
     Parameters
     ----------

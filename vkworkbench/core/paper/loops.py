@@ -23,7 +23,7 @@ def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.n
     alpha : (m,) float64
         Directions, rad.
     first, end : (k,) int
-        Stretch i consists of the moves first[i] .. end[i] - 1.
+        Stretch i consists of the moves from first[i] to end[i] - 1.
     """
     result: np.ndarray = wrap(alpha[first] - alpha[end - 1])
     return result
@@ -68,18 +68,18 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
 
     An area can contain offset loops that are linked without a lift, or a contour that is cut together with a zigzag.
-    Phi then adds up over loops and links, so a loop is found by the point to which the tool returns. If two loops
-    overlap, the first loop counts, unless the first loop turns back and forth much more than the second. For example, a
-    zigzag can return to its own start before the tool cuts the contour around the zigzag; only the contour is then a
-    loop.
+    Phi then adds up over loops and links, so phi alone does not show where a loop ends; a loop is found by the point to
+    which the tool returns. If two loops overlap, the first loop counts, unless the first loop turns back and forth much
+    more than the second. For example, a zigzag can return to its own start before the tool cuts the contour around the
+    zigzag; only the contour is then a loop.
 
     Returns
     -------
     first, end : (k,) int
-        Loop i consists of the moves first[i] .. end[i] - 1. The loops are in order and do not overlap.
+        Loop i consists of the moves from first[i] to end[i] - 1. The loops are in order and do not overlap.
     """
-    # In a loop, phi changes by 2 pi minus the closing turn; in a zigzag, phi changes by only pi. Areas with a small
-    # change contain no loop, so most rasters are not searched.
+    # In a loop, phi changes by 2 pi minus the closing turn; in a zigzag, phi changes by only pi. Areas in which phi
+    # changes by less are not searched for loops, which saves time for most rasters.
     winds = moves.phi_extent > LOOPS.HALF_TURNS * np.pi
     if not winds.any():
         none = np.zeros(0, np.int64)
@@ -96,7 +96,7 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the vertices of the areas selected by `winds`: first the start of every move, then the end of every area.
+    """Return the vertices of the areas that `winds` selects: first the start of every move, then the end of every area.
 
     Returns
     -------
@@ -105,7 +105,7 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
     at : (v,) int
         Index of the move that begins at the vertex; for the end of an area, the index after its last move.
     area : (v,) uint32
-        Index of the area among the selected areas; an empty array if only one area is selected.
+        Number of the vertex's area among the selected areas; an empty array if only one area is selected.
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start
@@ -134,8 +134,8 @@ def _returns(
     column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in scaled)
     # Vertices in the same grid cell are found by hashing, which takes O(n); sorting all vertices would take O(n log n).
     # The products overflow on purpose, and their high bits are the hash. The hash table has at least two places per
-    # vertex. In a smaller table, more cells share a hash and must be sorted. A larger table does not fit into the
-    # processor's cache.
+    # vertex. In a smaller table, more grid cells share a hash, and the vertices in them must be sorted. A larger hash
+    # table does not fit into the processor's cache.
     bits = (2 * len(x)).bit_length()
     cell = column * np.uint32(2654435769)
     cell += row * np.uint32(2246822519)
@@ -147,10 +147,10 @@ def _returns(
     table = np.empty(1 << bits, np.int32)
     table[cell] = order
     latest = table.take(cell)
-    one = np.flatnonzero(latest != order)  # every vertex except for the last vertex with the same hash
+    one = np.flatnonzero(latest != order)  # vertices that are followed by another vertex with the same hash
     two, own = latest[one], cell[one]
     table[own] = one
-    last = table.take(own) == one  # the second-to-last vertex with the same hash
+    last = table.take(own) == one  # whether the vertex is the second-to-last one with its hash
     table[own[~last]] = -1
     crowded = table.take(own) < 0
     if crowded.any():
@@ -173,8 +173,8 @@ def _returns(
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
     # The turn from the last move of a stretch into its first has no sign if it is half a turn. If a stretch begins at
-    # the tip of a lead-in, one loop and two loops could then both have a net turn of 2 pi, so stretches with such a
-    # closing turn are not loops.
+    # the tip of a lead-in, both one loop and two loops would then have a net turn of 2 pi, so stretches whose closing
+    # turn is half a turn are not loops.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 
@@ -208,20 +208,20 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
 
 
 def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.ndarray) -> np.ndarray:
-    """Return the moves at which another turn of a winding begins, because phi reaches the next multiple of 2 pi.
+    """Return the moves at which phi reaches the next multiple of 2 pi, so that a winding begins its next turn.
 
     Parameters
     ----------
     start, end : (w,) int
-        Winding i consists of the moves start[i] .. end[i] - 1.
+        Winding i consists of the moves from start[i] to end[i] - 1.
     sense : (w,) float
         +1 for a counter-clockwise winding, -1 for a clockwise one.
 
     Returns
     -------
     (t,) int
-        First move of every turn, except for the first turn of each winding. Each multiple of 2 pi counts once, so a
-        concave corner, at which phi falls and rises again, does not begin another turn.
+        First move of every turn, except for the first turn of each winding. If phi falls and rises again at a concave
+        corner, it reaches the same multiple of 2 pi twice, but only the first time counts.
     """
     size = end - start
     of = np.repeat(np.arange(len(start)), size)
@@ -229,7 +229,7 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
     above = of * (
         np.ptp(climb) + TURN
-    )  # an offset per winding, so that the running maximum starts again at each winding
+    )  # the running maximum starts again at each winding, because the offset increases
     level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
     result: np.ndarray = own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]
     return result

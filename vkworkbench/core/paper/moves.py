@@ -13,7 +13,7 @@ from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
-MEASURES, SPARE = 10, 10  # rows in a block of memory: for measures of moves, and spare rows (see `_Steps`)
+MEASURES, SPARE = 10, 10  # number of used and of unused rows in a block of memory; see `_Steps`
 
 
 @dataclass
@@ -78,7 +78,7 @@ class Moves:
 
 
 def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
-    """Measure the cutting moves among the trajectories first .. end - 1, and split them into monotonous areas."""
+    """Measure the cutting moves among the trajectories `first` to `end` - 1, and split them into monotonous areas."""
     steps = _Steps(toolpath, first, end)
     dx, dy, dz, length = steps.dx, steps.dy, steps.dz, steps.length
     planar = length > MOVES.STILL
@@ -117,12 +117,12 @@ def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
 
 
 class _Steps:
-    """The trajectories first .. end - 1 of a toolpath in the working plane: points (n+1,), steps and lengths (n,).
+    """The trajectories `first` to `end` - 1 of a toolpath in the working plane: points (n+1,), steps and lengths (n,).
 
     All measures share one block of memory and are computed in place if possible. With many short-lived arrays, the
-    system would map the same memory pages again and again, which takes more time than the arithmetic. The spare rows
-    are never used; they only make the block larger. glibc keeps free memory of up to twice the largest block that it
-    allocated (its dynamic M_TRIM_THRESHOLD), so later computations reuse pages that are already mapped.
+    system would map the same memory pages again and again, which takes more time than the arithmetic. The unused rows
+    only make the block of memory larger. glibc keeps free memory of up to twice the largest block that it allocated
+    (its dynamic M_TRIM_THRESHOLD), so later computations reuse pages that are already mapped.
     """
 
     def __init__(self, toolpath: Toolpath, first: int, end: int) -> None:
@@ -148,7 +148,7 @@ class _Steps:
 
 
 def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Compute the turns between moves and phi of every area, both as in :class:`Moves`.
+    """Compute the turns between moves and their sum phi in every area, with the meanings described in :class:`Moves`.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
     Returns
     -------
     unsigned, reversals : (u,) and (r,) int
-        As in :class:`Moves`.
+        Moves that begin with half a turn; see :class:`Moves`.
     """
     scratch = phi[1:]
     turns(alpha, out=turning[1:], scratch=scratch)
@@ -178,7 +178,7 @@ def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.nd
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:
-    """Exclude very short moves beside long moves: rounding made the short moves, so their direction is noise."""
+    """Exclude very short moves beside long moves, because rounding made them, and their directions are random."""
     short = np.flatnonzero(planar & (length < MOVES.NOISE))
     if not len(short):
         return
@@ -203,7 +203,7 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         lifted = rapids[after] > rapids[before]
         steep = np.concatenate([[0], np.cumsum(np.where(planar | steps.rapid, 0.0, np.abs(steps.dz)))])
         height = np.abs(steps.z[after] - steps.z[before + 1])
-        drilled = steep[after] - steep[before] > height + MOVES.STILL  # the tool pecks between the two moves
+        drilled = steep[after] - steep[before] > height + MOVES.STILL  # the tool pecks a hole in the gap
         gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~steps.goes_on(before, after))]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
@@ -215,7 +215,8 @@ def _without_air(
 
     A link in the air is a straight and horizontal move between a lift and a plunge. The lift is not required at the
     start of a program, and the plunge is not required at the end or before a final lift at feed. Beside a rapid at the
-    top height, only the lift or only the plunge is required, because some post processors write rapids as fast feeds.
+    top height, only the lift or only the plunge is required, because some post processors write some of the rapids as
+    fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start
@@ -232,18 +233,18 @@ def _without_air(
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & steps.goes_on(b, a) & lifted & plunges
-    # A plateau between two walls is not a link in the air. A plateau has the direction of a lower pass directly before
-    # or after it.
+    # A horizontal stretch of a pass between two walls of the part is not a link in the air. A horizontal stretch of a
+    # pass has the direction of a lower move of the pass directly before or after it.
     before, after = b[:-1], a[1:]
     onward = steps.goes_on(before, after)
-    # A move at the top height between two rapids is not a plateau, whatever its direction: a post processor wrote a
+    # A move at the top height between two rapids is a link in the air, whatever its direction: a post processor wrote a
     # rapid as a feed.
     fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
     air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
     air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
-    if len(several):  # rows also begin and end with parallel moves, so the whole area must be straight
+    if len(several):  # check all moves of the area, because a set of rows can also begin and end with parallel moves
         ways = np.column_stack([a[several], b[several] + 1]).ravel()
         x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (steps.dx, steps.dy, length))
         air[several] = np.hypot(x, y) > MOVES.ONWARD * way

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compute the lines for the panel *Gauss Map*: areas in their working plane, and arcs on the unit circle."""
+"""Compute the lines that the panel *Gauss Map* draws: the paths of the areas, and arcs on the unit circle."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.core.paper.directions import turns
 from vkworkbench.core.paper.thresholds import TURNS
 
 _ARC_STEP = np.radians(4)  # rad, largest angle of the chords that draw an arc
-_NO_TURN = 1e-6  # rad; a smaller turn of the image is rounding and is not drawn
+_NO_TURN = 1e-6  # rad; a smaller turn of the image on the unit circle is rounding and is not drawn
 
 
 def outline(areas: Areas) -> np.ndarray:
@@ -38,7 +38,7 @@ def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
 
 
 def turns_of(angle: np.ndarray) -> np.ndarray:
-    """Return the turns between successive angles (n,) of an image on the unit circle, (n-1,) rad.
+    """Return the turns between successive images with the angles `angle` (n,) on the unit circle, (n-1,) rad.
 
     Each turn is the shorter way around the circle. An exact half turn has no sense of rotation; its value is NaN.
     """
@@ -48,7 +48,7 @@ def turns_of(angle: np.ndarray) -> np.ndarray:
 
 
 def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the arcs along which an image moves on the Gauss map, separately for each sense of rotation.
+    """Return the arcs on the unit circle along which an image moves, separately for each sense of rotation.
 
     Parameters
     ----------
@@ -70,7 +70,8 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def _arcs(angle: np.ndarray, radius: np.ndarray, turned: np.ndarray, chosen: np.ndarray) -> np.ndarray:
-    counts = np.ceil(np.abs(turned[chosen]) / _ARC_STEP).astype(np.int64) + 2  # points of each arc, and a row of NaN
+    # Each arc has one point more than chords, and a row of NaN.
+    counts = np.ceil(np.abs(turned[chosen]) / _ARC_STEP).astype(np.int64) + 2
     owner = np.repeat(chosen, counts)
     ends = np.cumsum(counts)
     place = np.arange(len(owner)) - np.repeat(ends - counts, counts)
@@ -93,7 +94,8 @@ def thinned(values: np.ndarray, count: int) -> np.ndarray:
         return np.arange(n)
     edges = np.arange(count + 1) * n // count
     kept = [edges[:-1], edges[1:] - 1]
-    # Repeating the last index makes all stretches equally long, so that one call of argmin handles all stretches.
+    # The last index of each stretch is repeated until all stretches are equally long, so that one call of argmin
+    # handles all stretches.
     width = int(np.diff(edges).max())
     index = np.minimum(edges[:-1, None] + np.arange(width), edges[1:, None] - 1)
     block = np.asarray(values)[index]
@@ -115,7 +117,7 @@ def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.
         Corners of the window.
     """
     a, b = points[:-1], points[1:]
-    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # False for NaN
+    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # False if a coordinate is NaN
     return np.flatnonzero(inside.all(axis=1))
 
 
@@ -159,14 +161,14 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
 
 
 def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
-    """Return the index of the area that best shows why an operation has its strategy.
+    """Return the index of the area that the panel shows as the reason for an operation's strategy.
 
     Parameters
     ----------
     areas : Areas
         At least one area.
     first, last : int
-        First and last trajectory (inclusive) that follow the strategy.
+        First and last trajectory (inclusive) of the part of the operation that follows the strategy.
     around : bool
         Whether the strategy consists of loops. If so, the area with the largest absolute phi is returned; among areas
         with equal phi, the longest. For other strategies, the longest area is returned.

@@ -52,7 +52,7 @@ def signature(points: np.ndarray) -> Signature:
         raise ValueError("points must be finite numbers")
     x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
     dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
-    # Arrays are reused, because for a long path, allocating memory takes most of the time.
+    # Arrays are reused, because allocating memory takes most of the time for a long path.
     squares = dx * dx
     squares += dy * dy
     alpha = directions(dx, dy)
@@ -93,7 +93,7 @@ class Signature:
         direction.
     turning : (n-1,) float64
         Angle delta phi between successive trajectories, wrapped to [-pi, pi] (section 3.2). An exact reversal has no
-        sign of its own: :func:`signs_of_reversals` chooses signs for which moves back and forth do not add up in phi.
+        sign of its own: :func:`signs_of_reversals` chooses signs with which moves back and forth do not add up in phi.
     phi : (n,) float64
         Cumulative angular function: the sum of the turns before each trajectory, rad; phi[0] = 0.
     unsigned, reversals : (u,) and (r,) int64
@@ -199,7 +199,8 @@ def _on_circle(angle: np.ndarray) -> np.ndarray:
 def _carry_directions(alpha: np.ndarray, still: np.ndarray) -> None:
     """Give each trajectory without length (indices `still`, (s,) int) the direction of the previous trajectory.
 
-    Trajectories without length at the beginning of the polyline get the direction of the first one with a length.
+    Trajectories without length at the beginning of the polyline get the direction of the first trajectory with a
+    length.
     """
     if len(still) == len(alpha):
         alpha[:] = 0.0

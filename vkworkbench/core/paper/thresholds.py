@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Thresholds for moves, turns and loops. Most thresholds separate real differences from rounding.
 
-The comments have the form of the comments in recognition/thresholds.py: the unit up to the first full stop, the
-quantity that is compared, and the errors at other values. ``benchmarks/thresholds.py`` prints how the recognised
-strategies change with each threshold; its option ``--rules`` leaves out the learned model.
+A comment has the form of the comments in recognition/thresholds.py: the unit up to the first full stop, the quantity
+that is compared with the threshold, and the errors at other values. ``benchmarks/thresholds.py`` prints how the
+recognised strategies change with each threshold; its option ``--rules`` leaves out the learned model.
 """
 
 
 class MOVES:
     """Thresholds that decide which moves have a direction, and where an area ends."""
 
-    #: mm. A coordinate that changes by no more than the threshold is constant. If the value is larger, helices lose
-    #: their moves and are recognised as drilling.
+    #: mm. A coordinate that changes by no more than the threshold is constant. If the value is larger, the moves of
+    #: helices count as plunges, and helices are recognised as drilling.
     STILL = 1e-3
     #: mm. A move that is shorter than the threshold, beside a long move, is rounding, and its direction is noise. If
     #: the value is larger, links between passes are dropped, and grids and offset loops lose their corners. If the
     #: value is 0, moves from rounding remain and cause half turns.
     NOISE = 0.02
-    #: share of the longer neighbour. A short move is noise only if its length is below this share of the longer
-    #: neighbouring trajectory's length. If the value is 1, finely sampled paths lose moves.
+    #: share of the longer neighbouring trajectory's length. A short move is noise only if its length is below this
+    #: share of the longer neighbouring trajectory's length. If the value is 1, finely sampled paths lose moves.
     NOISE_BESIDE = 0.05
     #: ratio of rise to run. Moves that are steeper than the threshold are plunges and lifts. If the value is lower,
     #: helices and V-carving count as plunges. If the value is higher, a pass over a steep wall and the link to the next
@@ -46,9 +46,9 @@ class TURNS:
     #: 0.001 mm can change the sign. If the value is 0, zigzags with a contour are recognised as mixed or as profiles.
     #: If the value is larger, turns at sharp corners have no sign, and spirals are recognised as profiles.
     UNSIGNED = 0.01
-    #: share of all turning of the direction of V_k. Turning against the main sense of rotation is caused by rounding if
-    #: it has at most this share. The threshold only decides whether the verdict of the paper's rule has a sense of
-    #: rotation.
+    #: share of all turning of the direction of V_k. If the turning against the main sense of rotation has at most this
+    #: share, it is caused by rounding, and the direction of V_k counts as turning in one sense. The threshold only
+    #: decides whether the result of the paper's rule has a sense of rotation.
     BACK_AND_FORTH = 0.01
 
 
@@ -79,7 +79,7 @@ class LOOPS:
     #: turns. A loop whose absolute turning is above the threshold can be a zigzag that returns to its start. If the
     #: value is higher, the contour that is cut after such a zigzag is not found.
     WAVY = 1.5
-    #: share of the turning beyond one turn. A loop replaces an overlapping loop that began earlier if the later loop's
-    #: turning beyond one turn is below this share of the earlier loop's turning beyond one turn. If the value is 0, no
-    #: loop is replaced, and a zigzag with a contour is recognised as a zigzag only.
+    #: share of the earlier loop's turning beyond one full turn. A loop replaces an overlapping loop that began earlier
+    #: if the later loop's turning beyond one turn is below this share of the earlier loop's turning beyond one turn. If
+    #: the value is 0, no loop is replaced, and a zigzag with a contour is recognised as a zigzag only.
     SMOOTHER = 0.5

@@ -2,9 +2,9 @@
 """Predict the cost of a simulation in the paper's extended z-buffer and in FreeCAD's own simulators.
 
 A `Task` is the toolpath of one operation with its tool and stock. `Conditions` are the version of FreeCAD, the speed of
-the computer and the settings. The entries of the table `SIMULATORS` compute from them the `Cost` of one operation or of
-several operations in sequence, and the finest setting within a budget. A `Caution` is a warning before a simulation is
-started.
+the computer and the settings. From a `Task` and its `Conditions`, the entries of the table `SIMULATORS` compute the
+`Cost` of one operation or of several operations in sequence, and the finest setting within a budget. A `Caution` is a
+warning before a simulation is started.
 """
 
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants

@@ -11,9 +11,9 @@ class Constants:
     """The time, s, or the memory, bytes, that each step of FreeCAD's simulators needs on one computer.
 
     The defaults were measured with FreeCAD 0.20.2, 1.0.0 and 1.1.3 on two Xeon cores without a graphics card. Only
-    ``redraw``, ``frame``, ``draw`` and ``fill`` are guesses, for a computer with a graphics card.
-    ``document/computer/calibration.py`` has the values for drawing with the processor, and scales the times that depend
-    on the processor's speed.
+    ``redraw``, ``frame``, ``draw`` and ``fill`` were not measured; they are guesses for a computer with a graphics
+    card. ``document/computer/calibration.py`` has the values for drawing with the processor, and scales the times that
+    depend on the processor's speed.
 
     Attributes
     ----------

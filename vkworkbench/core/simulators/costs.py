@@ -74,7 +74,7 @@ class Costs:
         return self.costs.get(simulator)
 
     def columns(self) -> dict[str, Any]:
-        """Return columns for CSV and JSON files: why settings are recommended, and costs in FreeCAD's simulators."""
+        """Return columns for CSV and JSON files: the reasons for recommended settings, and the costs in FreeCAD."""
         columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
         for simulator in _beside_the_papers():
             columns.update(simulator.figures(self.costs.get(simulator.name)))

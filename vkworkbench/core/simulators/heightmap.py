@@ -15,16 +15,17 @@ _CELLS = 100
 _CELLS_PER_RADIUS = 16
 # Approximate maximum number of points at which a toolpath is sampled.
 _MOST_SAMPLES = 300_000
-# Number of sampled points in one batch. The arrays of a larger batch would not fit into the processor's cache.
+# Number of sampled points that are processed at once. The arrays for a larger number of points would not fit into the
+# processor's cache.
 _SAMPLES_AT_ONCE = 16_384
 
 
 def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) -> tuple[list[np.ndarray], float]:
     """Compute the heights of the stock after each part of the toolpath.
 
-    The stock is replaced by its bounding box, and rapids cut, too. First, the lowest height of the tip over each cell
-    is found, in a time of O(n) for n trajectories. Then the tool at this height is subtracted from all cells under the
-    tool, in a time that does not depend on the number of trajectories.
+    The stock is replaced by its bounding box, and rapids cut, too. First, the lowest height that the tool's tip reaches
+    over each cell is found, in a time of O(n) for n trajectories. Then the shape of the tool at this height is
+    subtracted from the stock, in a time that does not depend on the number of trajectories.
 
     Parameters
     ----------
@@ -74,12 +75,13 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
 
 
 def _stamp(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float, spacing: float) -> None:
-    """Lower the cells under a polyline to the polyline's height, at sampled points about `spacing` mm apart."""
+    """Lower each cell under a polyline to the polyline's height there, at sampled points about `spacing` mm apart."""
     if len(points) == 0:
         return
     moves = np.diff(points, axis=0)
     lengths = np.abs(moves[:, :2]).max(axis=1)
-    # A toolpath with more samples crosses most cells many times, so a wider spacing still gives samples in every cell.
+    # If the limit of samples requires a wider spacing, there are still samples in every cell, because such a long
+    # toolpath crosses most cells many times.
     spacing = max(spacing, float(lengths.sum()) / _MOST_SAMPLES)
     _lower(tips, points[:1].T, origin, size)
     low = np.flatnonzero(np.minimum(points[:-1, 2], points[1:, 2]) < tips.max())
@@ -105,7 +107,8 @@ def _lower(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
     inside = np.flatnonzero((column >= 0) & (column < tips.shape[0]) & (row >= 0) & (row < tips.shape[1]))
     if not len(inside):
         return
-    # The maps have fewer than 2^16 cells. Numpy sorts 16-bit numbers especially fast (radix sort).
+    # The height maps have fewer than 2^16 cells, so that a cell's index has 16 bits. Numpy sorts 16-bit integers
+    # especially fast (radix sort).
     cell = (column[inside] * tips.shape[1] + row[inside]).astype(np.uint16)
     order = np.argsort(cell, kind="stable")
     cell = cell[order]
@@ -122,7 +125,7 @@ def grid_shape(stock: Solid, size: float) -> np.ndarray:
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:
-    """Return the first trajectory of each of `parts` equal parts of the commands, and the end, (parts + 1,) int."""
+    """Return where each of `parts` equal parts of the commands begins, and the end, (parts + 1,) trajectories."""
     moving = np.unique(toolpath.command)
     ends = np.append(moving, toolpath.commands)[np.arange(parts + 1) * len(moving) // parts]
     return np.searchsorted(toolpath.command, ends)

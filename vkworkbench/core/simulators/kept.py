@@ -13,7 +13,7 @@ from vkworkbench.core.simulators.table import SIMULATORS
 
 
 def as_data(name: str, cost: Cost) -> dict[str, Any]:
-    """Return the part of a cost that FreeCAD documents store, as data for JSON; `together` needs only this part."""
+    """Return, for JSON, the fields of a cost that FreeCAD documents store; `together` needs only these fields."""
     return {field.name: _plain(getattr(cost, field.name)) for field in fields(_kind(name))}
 
 

@@ -23,9 +23,9 @@ from vkworkbench.core.toolpath import Toolpath
 
 NAME = "legacy"
 
-# The simulator stores a cell as a float, for its height, and a character, which is used when the mesh is made.
+# The simulator stores a float for the height of each cell, and a character that is used when the mesh is made.
 _BYTES_PER_CELL = 5
-# The size of the mesh is estimated at this number of moments, spread over the play of the simulation.
+# The size of the mesh is estimated at this number of points in time, spread over a play of the simulation.
 _LOOKS = 5
 # Maximum number of commands that play shows per second at the initial position of the speed slider.
 _SPEED = 50

@@ -13,8 +13,8 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 
 # MOST_SHORT_MOVES: number of moves shorter than a cell of the simulator above which a warning appears. RAMP_ERROR:
-# error of a ramp's depth, mm, above which a warning appears. Lower: harmless toolpaths get warnings. Higher: visible
-# errors of the simulator get no warning.
+# error of a ramp's depth, mm, above which a warning appears. With lower values, harmless toolpaths get warnings.
+# With higher values, visible errors of the simulator get no warning.
 MOST_SHORT_MOVES = 2000
 RAMP_ERROR = 0.1
 
@@ -22,7 +22,7 @@ RAMP_ERROR = 0.1
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
     """Return warnings.
 
-    Arcs are checked only if `task` has words, ramps only if it has a tool, times only with a cost.
+    Arcs are checked only if `task` has words, ramps only if it has a tool, times only if `cost` is known.
     """
     found = _hangs(task, conditions.version)
     if task.tool is not None:
@@ -78,7 +78,7 @@ def _hangs(task: Task, version: tuple[int, ...]) -> list[Caution]:
 
 
 def _last_word(words: Words, letter: str, rows: np.ndarray) -> np.ndarray:
-    """Return the last value of a word before each of the commands `rows`; NaN if no earlier command has this word."""
+    """Return the last value of the word `letter` before each of the commands `rows`; NaN if there is none."""
     values = words.column(letter)[0]
     known = np.flatnonzero(~np.isnan(values))
     return np.append(np.nan, values[known])[np.searchsorted(known, rows)]

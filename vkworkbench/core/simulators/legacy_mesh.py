@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-# Ratio of the height difference between two neighbouring cells of the map to the edge of a cell. The height difference
-# is a wall if the ratio is at least this value, or if the height difference is more than twice each neighbouring height
-# difference; otherwise it is a slope. Lower: steep slopes count as walls. Higher: walls beside slopes count as slopes.
-# In both cases the number of triangles is wrong.
+# A height difference between two neighbouring cells of the height map is a wall if its ratio to the edge of a cell is
+# at least this value. It is also a wall if it is more than twice each neighbouring height difference; otherwise it is a
+# slope. With a lower value, steep slopes count as walls. With a higher value, walls beside slopes count as slopes. In
+# both cases, the number of triangles in the mesh is estimated wrongly.
 _WALL = 1.8
 # Number of triangles per corner of a wall (_CORNER), per cell along a wall (_ALONG), per rectangle on a slope
 # (_RECTANGLE), and in the mesh of an uncut box (BOX). The numbers were fitted to FreeCAD's meshes
@@ -53,7 +53,7 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: f
     slope_y[:, :-1] = np.where(wall_y, 0, step_y) / size
     across = np.minimum(np.maximum(slope_x, slope_y / _LONGEST), 1)
     along = np.minimum(np.maximum(slope_y, slope_x / _LONGEST), 1)
-    kept = heights > lower + resolution  # material thinner than a cell counts as cut through
+    kept = heights > lower + resolution  # stock thinner than the edge of a cell counts as cut through
     pieces = 1 if kept.all() else bottom_rectangles(kept)
     finer = size / resolution
     return float(
@@ -80,8 +80,8 @@ def bottom_rectangles(kept: np.ndarray) -> int:
     -------
     int
     """
-    # Each row of cells is stored as one integer. A set bit means a free cell, which has material and belongs to no
-    # rectangle yet.
+    # Each row of cells is stored as one integer, with one bit for each cell. A set bit means a free cell, which has
+    # material and belongs to no rectangle yet.
     rows = [int.from_bytes(np.packbits(line, bitorder="little").tobytes(), "little") for line in kept.T]
     count = 0
     for y in range(len(rows)):
@@ -102,7 +102,8 @@ def bottom_rectangles(kept: np.ndarray) -> int:
 def _grown(rows: list[int], x: int, y: int) -> tuple[int, int]:
     """Grow a rectangle from the first free cell of a row, and return the rectangle's width and height.
 
-    The row has no free cell to the left of the first free cell, so the rectangle grows only to the right and upwards.
+    All cells of the row to the left of the first free cell are covered already, so the rectangle grows only to the
+    right and upwards.
     """
     width = height = 1
     right = up = True
@@ -123,8 +124,7 @@ def _mask(x: int, width: int) -> int:
 def _may_be_walls(step: np.ndarray, size: float) -> np.ndarray:
     """Return whether each height difference along the first axis can be a wall, bool.
 
-    The function does not check the second condition for a wall, that it is higher than the edge of a cell of the
-    simulator.
+    The caller checks the second condition: a wall is higher than the edge of a cell of the simulator.
     """
     around = np.pad(step, ((1, 1), (0, 0)))
     alone = (around[:-2] < step / 2) & (around[2:] < step / 2)

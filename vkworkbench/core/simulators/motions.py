@@ -79,7 +79,7 @@ def motions(toolpath: Toolpath) -> Motions:
     down = np.column_stack((np.zeros((len(first), 2)), lowest - retract))
     move = np.stack((approach, down, -down), axis=1)
     exists = ~np.isclose(move, 0).all(axis=2)
-    exists[~cycle, 0] = True  # a full circle is a motion although its chord is 0
+    exists[~cycle, 0] = True  # a full circle is a motion, although the distance between its ends is 0
     exists[:, 1:] &= cycle[:, None]
     arcs = np.zeros((len(first), 3))
     radii = np.zeros((len(first), 3))
@@ -88,7 +88,7 @@ def motions(toolpath: Toolpath) -> Motions:
 
 
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
-    """Return the height, mm, at which the first feed move begins in each group; the groups begin at `first`."""
+    """Return the height, mm, at which the first feed move of each group begins; the groups begin at `first`."""
     n = len(toolpath)
     index = np.where(toolpath.rapid, n, np.arange(n))
     result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]

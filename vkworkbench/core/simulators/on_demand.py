@@ -13,8 +13,8 @@ class OnDemand(Mapping[str, Any]):
     """Mapping from names to values, each of which is computed once, at its first use.
 
     If the computation of a value fails, the mapping does not contain the value, and the error is written to the log.
-    Iterating over the mapping, copying it or pickling it computes all values. Converting it to `bool` computes no
-    value.
+    Iterating over the mapping, copying it or pickling it computes all values. Converting the mapping to `bool` computes
+    no value.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ class OnDemand(Mapping[str, Any]):
 
     def __init__(self, makers: dict[str, Callable[[], Any]]) -> None:
         self._names = tuple(makers)
-        self._makers = dict(makers)  # each function is deleted after its call, which frees the objects it refers to
+        self._makers = dict(makers)  # a function is deleted after its call, to free the objects that it uses
         self._made: dict[str, Any] = {}
         self._lock = threading.RLock()
 

@@ -20,7 +20,7 @@ from vkworkbench.language import Message
 
 NAME = "OpenGL"
 SINCE = (1, 0)
-SLOWEST_FRAME = 0.1  # longest time of a frame without a note to the user, s (ten frames per second)
+SLOWEST_FRAME = 0.1  # longest time of a frame for which the user gets no message, s (ten frames per second)
 
 # Smallest and largest angle of an arc that one chord replaces, rad (MillPathSegment.cpp).
 _SMALLEST_STEP, _LARGEST_STEP = np.pi / 90, np.pi / 2
@@ -32,10 +32,11 @@ _TOOL_HEIGHT = 30.0
 # The first view of the simulator looks along Y and 30 degrees (_TILT) down, from a distance of 1.6 times the stock's
 # longer side. The window is assumed to have the ratio 4:3; its height shows an angle of 0.7 rad (SimDisplay.cpp).
 _TILT = np.pi / 6
-_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2  # visible area, divided by the square of the stock's longer side
+# Area visible in the window, divided by the square of the stock's longer side.
+_WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2
 # _CORNER_PIECE: length of the segments in which a rounded corner of the tool is drawn, mm (SimulatorGL.py).
-# _LONGER_PER_SEGMENT: share by which each segment beyond the two segments of a flat end increases the drawing time
-# (benchmarks/simulators.py).
+# _LONGER_PER_SEGMENT: each segment of the outline beyond the two of a flat tool increases the drawing time by this
+# share (benchmarks/simulators.py).
 _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
 # Number of parts into which an operation is divided to estimate how much longer its frames take after other operations.
@@ -106,7 +107,8 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
     disc = np.pi / 4 * diameter**2
     x, y = np.abs(made.move[:, :2]).T
     across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
-    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi  # mean visible share of a length over all directions
+    # An arc has all directions. On average, 2 / pi of its length is visible (the mean of |cos|).
+    arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi
     kinds = small, made.radius > 0, made.level < 1e-6
     wide = np.select(
         kinds,
@@ -182,9 +184,9 @@ def opengl_cost(
     """Estimate the cost of one operation in the OpenGL simulator.
 
     For each frame, all motions from the first to the present one are drawn in nine passes. In each pass, a straight
-    motion needs two draw calls, a vertical motion one, and an arc one per chord. So the time of a play increases with
-    the square of the number of motions. The time to fill the area that a motion covers in the window is expressed as
-    additional draw calls. A rounded tool takes longer to draw, because its outline has more segments.
+    motion needs two draw calls, a vertical motion one, and an arc one per chord. Therefore the time of a play increases
+    with the square of the number of motions. The time to fill the area that a motion covers in the window is expressed
+    as additional draw calls. A rounded tool takes longer to draw, because its outline has more segments.
 
     Parameters
     ----------
@@ -203,7 +205,7 @@ def opengl_cost(
     drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
 
     # Compute the mean time of the frames during each motion. A straight motion is drawn completely in its first frame;
-    # an arc is drawn chord by chord.
+    # an arc is drawn chord by chord, on average half.
     before = np.cumsum(drawing) - drawing
     frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
     total = float((steps * frames).sum())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Collect the warnings before a simulation is started: the warnings of each simulator, and too much memory."""
+"""Collect the warnings before a simulation is started: the warnings of each simulator, and of too much memory."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
     Parameters
     ----------
     task : Task
-        The operation to check. If its words are unknown, commands are not checked. If its tool is unknown, ramps are
-        not checked.
+        The operation to check. If the words of its commands are unknown, the commands are not checked. If the
+        operation's tool is unknown, ramps are not checked.
     costs : mapping of str to Cost
         Predicted costs by the names of the simulators. If a cost is missing, time and memory in this simulator are not
         checked.
@@ -44,7 +44,7 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
 
 
 def _surely_fits(simulator: Simulator, task: Task, conditions: Conditions) -> bool:
-    """Return whether an upper bound of the memory, which is computed quickly, is within the memory budget."""
+    """Return whether an upper bound of the simulation's memory, computed quickly, is within the memory budget."""
     if simulator.most_bytes is None or not (task.tool and task.stock):
         return False
     return simulator.most_bytes(task, conditions) <= conditions.memory_budget

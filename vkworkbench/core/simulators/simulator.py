@@ -49,7 +49,7 @@ class Task:
 
     @property
     def cutting(self) -> tuple[Tool, Solid]:
-        """The tool and the stock.
+        """The tool and the stock of the operation.
 
         Raises
         ------
@@ -207,7 +207,7 @@ class Simulator:
         ``cautions(task, cost, conditions)`` returns the warnings for one operation. The argument `cost` is None if the
         cost is unknown. The attribute is None if the simulator has no warnings except about memory.
     kept : type
-        Dataclass whose fields are the part of a cost that FreeCAD documents store.
+        Dataclass that names the fields of a cost that FreeCAD documents store.
     less_memory : Message
         Advice on how to reduce the memory of a simulation.
     columns : dict of str to callable
@@ -223,7 +223,7 @@ class Simulator:
         Names of the preferences that have no effect without the simulator.
     most_bytes : callable or None
         ``most_bytes(task, conditions)`` returns an upper bound of the memory for one operation, and takes little time.
-        If this upper bound is within the budget, the cost is not computed for the warning about memory.
+        If this upper bound is within the budget, no warning about memory is needed, so the cost is not computed for it.
     """
 
     name: str

@@ -22,7 +22,7 @@ _JOBS = 8
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """The part of an estimate that an operation's mark in the tree stores, or the sum of several estimates.
+    """The values of an estimate that an operation's mark in the tree stores, or their sums over several estimates.
 
     Attributes
     ----------
@@ -37,7 +37,7 @@ class ZBufferCost:
 
 
 def predict(task: Task, conditions: Conditions) -> Estimate:
-    """Estimate the cost of simulating one operation in the image that `conditions.view` describes."""
+    """Estimate the cost of simulating one operation in the z-buffer, with the image of `conditions.view`."""
     tool, stock = task.cutting
     return estimate(
         task.toolpath, task.recognition, tool=tool, stock=stock, view=conditions.view, speed=conditions.speed
@@ -67,7 +67,7 @@ def together(costs: Sequence[Estimate | ZBufferCost]) -> Estimate | ZBufferCost:
 
 
 def _common(estimates: Sequence[Estimate]) -> tuple[Solid, View, Speed] | None:
-    """Return the stock, the view and the speed of all estimates; None if the estimates differ in one of the three."""
+    """Return the stock, the view and the computer's speed of all estimates; None if one of the three differs."""
     (view, speed), *more = {(one.view, one.speed) for one in estimates}
     stock, *others = (one.stock for one in estimates)
     if more or stock is None or not all(other is not None and is_same(stock, other) for other in others):
@@ -89,7 +89,7 @@ def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
 def most_bytes(task: Task, conditions: Conditions) -> float:
     """Return an upper bound of an operation's memory, bytes.
 
-    Computing this upper bound takes much less time than an estimate.
+    This upper bound takes much less time to compute than an estimate.
     """
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)
