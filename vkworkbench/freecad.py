@@ -17,22 +17,22 @@ from functools import lru_cache
 
 import FreeCAD
 
-TOOLPATH = "Path::Feature"  # type of all objects with a toolpath
-LINK = "App::Link"  # type of links, which have the properties of the linked object
-COMPOUND = "Path::FeatureCompound"  # type of compounds, whose path consists of the paths of their members
+TOOLPATH = "Path::Feature"  # Type of all objects with a toolpath.
+LINK = "App::Link"  # Type of links, which have the properties of the linked object.
+COMPOUND = "Path::FeatureCompound"  # Type of compounds, whose path consists of the paths of their members.
 # The workbench for machining and its menu, since FreeCAD 1.0 and before.
 WORKBENCHES = {"CAMWorkbench": "&CAM", "PathWorkbench": "&Path"}
-TREE_DOCKS = ("Combo View", "Model", "Tree view")  # docks that show the tree: in 0.20, since 1.0, and the separate dock
-TASK_DOCKS = ("Combo View", "Tasks")  # docks that show the task view: in 0.20, and since 1.0
-DESCRIPTION_HIDDEN_SINCE = (1, 0)  # first version that hides the tree's Description column by default
-QT6_SINCE = (1, 1)  # first version that uses Qt 6
-TIME_PROPERTY_SINCE = (1, 0)  # first version with App::PropertyTime
+TREE_DOCKS = ("Combo View", "Model", "Tree view")  # Docks with the tree: in 0.20, since 1.0, and the separate dock.
+TASK_DOCKS = ("Combo View", "Tasks")  # Docks that show the task view: in 0.20, and since 1.0.
+DESCRIPTION_HIDDEN_SINCE = (1, 0)  # First version that hides the tree's Description column by default.
+QT6_SINCE = (1, 1)  # First version that uses Qt 6.
+TIME_PROPERTY_SINCE = (1, 0)  # First version with App::PropertyTime.
 
 
 def version() -> tuple[int, int, int]:
-    """Return the version of this FreeCAD, e.g.
+    """Return the version of this FreeCAD, such as ``(0, 20, 2)``.
 
-    ``(0, 20, 2)``. A part of the version that does not begin with a number is returned as 0.
+    A part of the version that does not begin with a number is returned as 0.
     """
     return _numbers(tuple(FreeCAD.Version()[:3]))
 
@@ -154,7 +154,7 @@ ACTIVE = Property("Active", fingerprint="setting")
 CONTROLLER = Property("ToolController", fingerprint="setting")
 POCKET_PATTERN = Property("ClearingPattern", since=(1, 1), before=("OffsetPattern",))
 SURFACE_PATTERN = Property("CutPattern")
-ALGORITHM = Property("Algorithm")  # algorithm of a waterline operation
+ALGORITHM = Property("Algorithm")  # Algorithm of a waterline operation.
 # Properties of a job and of its stock.
 OPERATIONS = Property("Operations")
 TOOLS = Property("Tools")
@@ -164,8 +164,8 @@ FIXTURES = Property("Fixtures", fingerprint="setting")
 CYCLE_TIME = Property("CycleTime")
 STOCK = Property("Stock", fingerprint="setting")
 MODEL = Property("Model")
-ADDED_GROUP = "Toolpath analysis"  # group of the properties that this add-on adds
-HIDDEN_AND_OUTPUT = 4 | 8  # attributes of an added property whose change does not recompute the object
+ADDED_GROUP = "Toolpath analysis"  # Group of the properties that this add-on adds.
+HIDDEN_AND_OUTPUT = 4 | 8  # Attributes of an added property whose change does not recompute the object.
 # Property for the objects that hold the workpiece (clamps). This add-on adds the property to a job.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
 # Property for the previous job, whose finished part is the stock of this job. This add-on adds the property to a job.
@@ -178,7 +178,7 @@ SPINDLE_SPEED = Property("SpindleSpeed")
 HORIZONTAL_RAPID = Property("HorizRapid", fingerprint="setting")
 VERTICAL_RAPID = Property("VertRapid", fingerprint="setting")
 VERTICAL_FEED = Property("VertFeed")
-GCODE = Property("Gcode")  # lines of a file that FreeCAD imported as a custom operation
+GCODE = Property("Gcode")  # Lines of a file that FreeCAD imported as a custom operation.
 # Properties for the depths of an operation, and for the width and depth of a deburred edge.
 START_DEPTH = Property("StartDepth")
 FINAL_DEPTH = Property("FinalDepth")
@@ -188,12 +188,12 @@ EXTRA_DEPTH = Property("ExtraDepth")
 TOOL_SHAPE = Property("ShapeType", since=(1, 1), before=("ShapeName", "ToolType"), fingerprint="setting")
 TOOL_SHAPE_FILE = Property("ShapeID", since=(1, 1), before=("BitShape",), fingerprint="setting")
 DIAMETER = Property("Diameter", fingerprint="setting")
-CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # since 1.1
-FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # before 1.1: radius of a bull nose's flat part
+CORNER_RADIUS = Property("CornerRadius", fingerprint="setting")  # Since 1.1.
+FLAT_RADIUS = Property("FlatRadius", fingerprint="setting")  # Before 1.1: radius of a bull nose's flat part.
 TIP_ANGLE = Property("TipAngle", fingerprint="setting")
 CUTTING_ANGLE = Property("CuttingEdgeAngle", fingerprint="setting")
-TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # flat end of a V-bit or chamfer mill
-CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # a V-bit's edge above its cone
+TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # Flat end of a V-bit or chamfer mill.
+CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # A V-bit's edge above its cone.
 TOOL_LENGTH = Property("Length", fingerprint="setting")
 SHANK_DIAMETER = Property("ShankDiameter", fingerprint="setting")
 # FreeCAD's tool bits have no holder. Users may add these properties for the holder to a tool bit.
@@ -221,7 +221,7 @@ def is_imported(obj) -> bool:
 
 
 def operation_name(obj) -> str:
-    """Return FreeCAD's name for the type of an operation, e.g. ``"Profile"``, from the module of the operation's proxy.
+    """Return FreeCAD's name for the type of an operation, such as ``"Profile"``, from the module of its proxy.
 
     If another FreeCAD version saved the document, the proxy may be missing. Without a proxy, the returned text is not
     the name of an operation.

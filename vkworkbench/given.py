@@ -32,7 +32,7 @@ def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = la
     name : str
         Name of the argument.
     takes : str
-        Description of the accepted values, e.g. ``"a positive number of mm"``.
+        Description of the accepted values, such as ``"a positive number of mm"``.
     fits : callable
         Function that returns whether a number is accepted. The default accepts all numbers.
 

@@ -24,7 +24,7 @@ import numpy as np
 _ISOLATED = ["-I", "-S"]
 _START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
-_PR_SET_PDEATHSIG = 1  # from Linux's prctl.h
+_PR_SET_PDEATHSIG = 1  # The constant from Linux's prctl.h.
 # Number of rows of a matrix that is large enough for OpenBLAS to reserve its memory when the matrix is multiplied.
 _OF_BLAS = 128
 # Flag for new processes, without which Windows opens a console window for each process.
@@ -61,7 +61,8 @@ class Worker:
             raise WorkerDied
         try:
             self._process = subprocess.Popen(
-                [python, *_ISOLATED, "-c", _START, *_FOLDERS], cwd=_FOLDERS[0],  # Windows loads libraries from the current folder
+                # `cwd` is not the user's current folder, because Windows loads libraries from the current folder.
+                [python, *_ISOLATED, "-c", _START, *_FOLDERS], cwd=_FOLDERS[0],
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, creationflags=_NO_WINDOW,
             )  # fmt: skip
         except OSError:
@@ -119,7 +120,7 @@ class Worker:
             with _broken_pipes_are_errors():
                 pickle.dump(what, self._process.stdin, pickle.HIGHEST_PROTOCOL)  # type: ignore[arg-type]
                 self._process.stdin.flush()  # type: ignore[union-attr]
-        except (OSError, ValueError):  # this process or the worker process has closed the pipe
+        except (OSError, ValueError):  # This process or the worker process has closed the pipe.
             self.end()
             raise WorkerDied from None
 
@@ -134,8 +135,8 @@ class Worker:
 
 def serve() -> None:
     """Run in the worker process: read the function from the standard input, then read and answer the arguments."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent process handles Ctrl-C, and then closes the input
-    with suppress(OSError, AttributeError, TypeError):  # prctl exists only on Linux
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # The parent process handles Ctrl-C, and then closes the input.
+    with suppress(OSError, AttributeError, TypeError):  # The function prctl exists only on Linux.
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(2, 1)  # redirect other output, which must not mix with the answers

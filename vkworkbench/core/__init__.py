@@ -65,7 +65,7 @@ def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})
 
 
-if not TYPE_CHECKING:  # mypy reads the imports above
+if not TYPE_CHECKING:  # this function is hidden from mypy, which reads the imports above instead
 
     def __getattr__(name: str) -> object:
         """Load the module of a public name when the name is first used, because loading all modules is slow."""

@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.given import number, numbers, of_kind
 from vkworkbench.language import Message, render
 
-# Largest coordinate, mm. No milling machine reaches farther than a kilometre, so a larger coordinate is an error, which
+# Largest coordinate, mm: no milling machine reaches farther than a kilometre, so a larger coordinate is an error, which
 # could also cause overflows.
 COORDINATE_LIMIT = 1e6
 
@@ -54,7 +54,7 @@ class Problem:
         return replace(problem, commands=np.asarray(commands, np.int64)) if problem._is_divided else problem
 
     def within(self, first: float, end: float) -> Problem | None:
-        """Return the part of the problem that concerns commands first .. end - 1, or None.
+        """Return the part of the problem that concerns the commands from `first` to `end` - 1, or None.
 
         Only a problem that affects the machining time or hides cuts is divided. Every other problem belongs to its
         first command.
@@ -66,7 +66,7 @@ class Problem:
 
     @property
     def message(self) -> str:
-        """The problem in English, a sentence without a full stop, e.g. ``"the unknown code 'G999' is ignored"``."""
+        """The problem in English, such as ``"the unknown code 'G999' is ignored"``, without a full stop."""
         return render(self.what)
 
     @property
@@ -187,9 +187,10 @@ class Toolpath:
         return next((problem for problem in self.problems if problem.hides_cuts), None)
 
     def part(self, first: int, end: int) -> Toolpath:
-        """Return the toolpath of the trajectories first .. end - 1, with the tool changes and comments between them.
+        """Return the toolpath of the trajectories from `first` to `end` - 1.
 
-        The returned toolpath contains no problems and no dwells.
+        The returned toolpath contains the tool changes and comments between these trajectories, but no problems and no
+        dwells.
         """
         inside = (self.tool_changes > first) & (self.tool_changes < end)
         return Toolpath(

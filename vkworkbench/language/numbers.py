@@ -59,12 +59,12 @@ class Reader:
         return f"{self._digits(millimetres / 1e3)} m"
 
     def measure(self, millimetres: float, digits: int) -> str:
-        """Return a length as text with the given number of significant digits, e.g. ``"0.125 mm"``."""
+        """Return a length as text, such as ``"0.125 mm"``, with the given number of significant digits."""
         factor, unit = self.length_unit(millimetres)
         return f"{self.number(millimetres / factor, digits)} {unit}"
 
     def volume(self, cubic_millimetres: float, digits: int) -> str:
-        """Return a volume as text with the given number of significant digits, e.g. ``"212 mm³"``.
+        """Return a volume as text, such as ``"212 mm³"``, with the given number of significant digits.
 
         The unit is cubed from the unit in which the side of a cube with the volume would be shown.
         """
@@ -90,11 +90,11 @@ class Reader:
         return count == 1
 
     def count(self, number: int) -> str:
-        """Return a count as text, e.g. ``"5,752"``."""
+        """Return a count as text, such as ``"5,752"``."""
         return self.separated(f"{number:,}")
 
     def share(self, share: float) -> str:
-        """Return a share of 1 as text in percent, e.g. ``"98%"``."""
+        """Return a share of 1 as text in percent, such as ``"98%"``."""
         return self.translate("Sentences", _PERCENT).replace("{number}", f"{100 * share:.0f}")
 
     def turns(self, angle: float) -> str:
@@ -103,7 +103,7 @@ class Reader:
         return self.separated(f"{turns:+.2f}") if turns else "0"
 
     def time(self, seconds: float, factor: float = 1.0, extra_digits: int = 0) -> str:
-        """Return a duration as text, e.g. ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"``, ``"2.5 h"``.
+        """Return a duration as text, such as ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"`` or ``"2.5 h"``.
 
         Parameters
         ----------
@@ -124,7 +124,7 @@ class Reader:
         return f"{self._digits(seconds / 3600, extra_digits)} h"
 
     def clock(self, seconds: float) -> str:
-        """Return a machining time as machinists write it, e.g. ``"0:45"``, ``"15:04"``, ``"1:02:30"``."""
+        """Return a machining time as machinists write it, such as ``"0:45"``, ``"15:04"`` or ``"1:02:30"``."""
         minutes, rest = divmod(max(round(seconds), 1) if seconds else 0, 60)
         hours, minutes = divmod(minutes, 60)
         return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes}:{rest:02}"
@@ -150,7 +150,7 @@ class Reader:
         return f"{self._digits(size / 1e3, extra_digits)} kB"
 
     def between(self, low: str, high: str) -> str:
-        """Return a range of numbers as text, e.g. ``"2 to 5"``."""
+        """Return a range of numbers as text, such as ``"2 to 5"``."""
         return self.translate("Sentences", _BETWEEN).replace("{low}", low).replace("{high}", high)
 
     def _rounded_time(self, seconds: float, digits: int) -> str:

@@ -17,7 +17,7 @@ arguments. A placeholder without a quantity is for a text or for another message
 * ``strategy``: a strategy, given by its value
 * ``simulator``: a simulator, given by its name
 
-The number of significant digits can follow ``g``, ``mm``, ``mm³`` and ``mm/min``, e.g. ``mm3``.
+The number of significant digits can follow ``g``, ``mm``, ``mm³`` and ``mm/min``, as in ``mm3``.
 
 Durations and memory sizes are shown with few digits. If two different values in one sentence would look equal, both get
 more digits, so that no sentence says "about 2.0 GB, which is over your 2.0 GB limit".
@@ -69,7 +69,7 @@ def render(message: Message, reader: Reader = ENGLISH, *, plain: bool = False) -
     Raises
     ------
     LookupError, TypeError, ValueError
-        If the table has no sentence for the message, e.g. because another version of the add-on has written the
+        If the table has no sentence for the message, for example because another version of the add-on has written the
         message.
     """
     arguments = message.arguments

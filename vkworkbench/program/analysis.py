@@ -211,7 +211,7 @@ def _rows(path: Path, chosen: Preferences) -> list[OperationReport]:
         path, program.other, program.rotary, chosen, stock, inches, tuple(remarks),
         undivided=len(cutting) == 1 and not cutting[0][1].title,
     )  # fmt: skip
-    del program  # free memory: the program's commands need more memory than the toolpath
+    del program  # Free memory: the program's commands need more memory than the toolpath.
     ends = [*(section.first for _, section in cutting[1:]), math.inf]
     rows, first = [], 0.0
     for (part, section), end in zip(cutting, ends):

@@ -25,9 +25,9 @@ from vkworkbench.program.simulate_command import add_options, check_options, sim
 from vkworkbench.report import OperationReport, cells_of, files_left_out, how_many, printable
 from vkworkbench.worker import processes
 
-_WRONG, _UNREAD, _STOPPED = 2, 1, 130  # exit statuses of the command
-_CONNECT = 30  # time limit for connecting to a Dask scheduler, s
-_AHEAD = 4  # number of files that are submitted in advance for each process
+_WRONG, _UNREAD, _STOPPED = 2, 1, 130  # Exit statuses of the command.
+_CONNECT = 30  # Time limit for connecting to a Dask scheduler, s.
+_AHEAD = 4  # Number of files that are submitted in advance for each process.
 _STANDARD_OUTPUT = "-"
 # Names of files that only this process can open, such as the shell's <(...). Names such as <(...) are refused, because
 # programs are read in other processes.
@@ -46,7 +46,7 @@ def main(arguments: list[str] | None = None) -> int:
     """
     asked = _parser().parse_args(with_joined_stock(sys.argv[1:] if arguments is None else arguments))
     for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:  # the stream is closed, e.g. by ">&-", or there is no console
+        if getattr(sys, name) is None:  # the stream is closed, for example by ">&-", or there is no console
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))
         getattr(sys, name).reconfigure(errors="backslashreplace")
     try:
@@ -54,7 +54,7 @@ def main(arguments: list[str] | None = None) -> int:
     except _Wrong as error:
         print(f"vkworkbench: {error}", file=sys.stderr)
         return _WRONG
-    except BrokenPipeError:  # the program that reads the output has ended, e.g. "| head"
+    except BrokenPipeError:  # the program that reads the output, such as "| head", has ended
         return _STOPPED
     finally:
         _drop_unwritten()
@@ -190,7 +190,7 @@ def _results(asked: argparse.Namespace, programs: list[Path]) -> Results | None:
         raise _Wrong("--resume needs a file of results: --csv PATH or --json-lines PATH")
     if path is None:
         return None
-    if is_called_a_program(path):  # e.g. "--csv bracket.nc old-programs/" would overwrite a program
+    if is_called_a_program(path):  # "--csv bracket.nc old-programs/" would overwrite a program
         raise _Wrong(f"{path} has the suffix of an NC program: give the file of results another name")
     if any(_is_same_file(path, program) for program in programs):
         raise _Wrong(f"{path} is one of the programs: give the file of results another name")
@@ -281,7 +281,7 @@ def _analyzed(
 
 
 def _rows(path: Path, future: Future) -> tuple[OperationReport, ...]:
-    """Return the rows of a program, or one row if the analysis failed, e.g. because a computer left the cluster."""
+    """Return the rows of a program, or one row if the analysis failed, as when a computer has left the cluster."""
     try:
         return future.result()
     except ModuleNotFoundError as error:

@@ -21,7 +21,7 @@ _SUFFIXES = frozenset([
     ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
     ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
 ])  # fmt: skip
-_HEAD, _FEWEST_WORDS = 100_000, 3  # number of examined bytes, and minimum number of lines with words
+_HEAD, _FEWEST_WORDS = 100_000, 3  # Number of examined bytes, and minimum number of lines with words.
 # Definitions of tools and formats in files of circuit boards: drill files (Excellon) and drawings (Gerber). The lines
 # of drill files and drawings look like words of an NC program.
 _OF_CIRCUIT_BOARDS = re.compile(r"T\d+(?:[FSBHZ]\d*)*C[\d.]|%(?:FS|MO|AD)")
@@ -60,8 +60,8 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> It
     Raises
     ------
     ValueError
-        If a name is empty, e.g. from a cancelled file dialog, because an empty name should not mean the current folder.
-        If a name is the text of a program, not a path.
+        If a name is empty, for example from a cancelled file dialog, because an empty name should not mean the current
+        folder. If a name is the text of a program, not a path.
     """
     what = list(what)
     if "" in what:

@@ -54,7 +54,7 @@ def simulate(
     stock : Solid, optional
         The default is a box around the cuts. A remark states that the default was used.
     view : View or str, optional
-        The image, or the name of a view direction, e.g. ``"Isometric"``. None stands for the view in the preferences.
+        The image, or the name of a view direction such as ``"Isometric"``. None stands for the view in the preferences.
     clamps : mapping of str to Solid, optional
         Solids that no tool may touch, by their names.
     memory_budget : float, optional

@@ -43,7 +43,7 @@ class Setup(NamedTuple):
 
 
 def setup_of(tool: str, machine: Machine | None) -> Setup:
-    """Return the setup of a tool on a machine. Without a machine, the setup takes no time."""
+    """Return the times to set up a tool on a machine. Without a machine, the setup takes no time."""
     if machine is None:
         return Setup(tool)
     return Setup(tool, True, machine.factor * machine.tool_change, machine.factor * machine.spindle_start)
@@ -79,8 +79,8 @@ class OperationReport(Costs):
     document_id : str
         Identifier of the document, unique even if another document has the same name; empty for an NC program.
     called : str or None
-        FreeCAD's name for the operation's type or pattern, if the toolpath contradicts this name, e.g. ``"Offset"`` for
-        a zigzag; None otherwise.
+        FreeCAD's name for the operation's type or pattern, if the toolpath contradicts this name, such as ``"Offset"``
+        for a zigzag; None otherwise.
     simulated : CutFacts or None
         Facts of a simulation, see `Report.with_facts`; None without a simulation.
     extent : tuple of (3,) tuples of float, or None

@@ -77,7 +77,7 @@ class Report:
         Raises
         ------
         TypeError
-            If `facts` has another type, e.g. if it is the simulation itself.
+            If `facts` has another type, for example if `facts` is the simulation itself.
         """
         of_kind("facts", facts, SimulationFacts, "what a simulation's facts() returns")
         known = {

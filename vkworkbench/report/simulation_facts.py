@@ -41,7 +41,7 @@ class SimulationFacts:
     trajectories : mapping of str to ndarray
         Columns with one value for each trajectory, see `core.zbuffer.trajectory_table`.
     remarks : tuple of Message
-        Remarks on the simulation, e.g. about tools that were simulated only approximately.
+        Remarks on the simulation, for example about tools that were simulated only approximately.
     verdict : Verdict
         The faults that the simulation has found, its pixel size, and everything that it could not check.
     left_out : tuple of (str, str)

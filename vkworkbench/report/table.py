@@ -66,7 +66,7 @@ def _row(o: OperationReport, simulator: str) -> tuple[str, ...]:
 
 
 def _is_idle(o: OperationReport) -> bool:
-    """Return whether an operation has no moves (e.g. inactive operations and stops), so that it has no times."""
+    """Return whether an operation has no moves (as inactive operations and stops), so that it has no times."""
     return o.strategy is Strategy.EMPTY and not o.trajectories
 
 

@@ -18,7 +18,7 @@ def printable(text: str, longest: int = 60) -> str:
 
 
 def how_many(number: int, thing: str) -> str:
-    """Return a number with a noun in English, e.g. ``"1 operation"``, ``"2 operations"``."""
+    """Return a number with a noun in English, such as ``"1 operation"`` or ``"2 operations"``."""
     return f"{number} {thing}" + ("" if number == 1 else "s")
 
 

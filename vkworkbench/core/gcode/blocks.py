@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from itertools import accumulate
 
 # A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. The letters of LinuxCNC's polar coordinates are @ and ^.
-# Fanuc's letters ,R and ,C are for the corner after a move, and ,A is for the direction of a move.
-# Spaces between letter and number are allowed (RS274/NGC, Kramer et al. 2000).
+# Fanuc's letters ,R and ,C are for the corner after a move, and ,A is for the direction of a move. Spaces between
+# letter and number are allowed (in RS274/NGC by Kramer, Proctor and Messina, 2000).
 _WORD = re.compile(r"([A-Z@^]|,[ACR])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
 LARGEST_NUMBER = 99_999_999  # upper limit for the numbers of program lines and programs, and for numbers of repetitions
@@ -43,11 +43,11 @@ class Lines:
         return iter(self._text.split("\n"))
 
     def between(self, first: int, end: int) -> str:
-        """Return the text of the lines first .. end - 1."""
+        """Return the text of the lines from `first` to `end` - 1."""
         return self._text[self._starts[first] : self._starts[end] - 1]
 
     def size(self, first: int, end: int) -> int:
-        """Return the number of characters of the lines first .. end - 1."""
+        """Return the number of characters of the lines from `first` to `end` - 1."""
         return self._starts[end] - self._starts[first]
 
 

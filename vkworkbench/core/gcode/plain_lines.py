@@ -140,7 +140,7 @@ class _Block:
     rows : (c,) int64
         Index of the line of each command.
     motions : (c,) int64
-        The G-code of the motion that each command selects, as ten times its number, e.g. 10 for G1; -1 if the command
+        The G-code of the motion that each command selects, as ten times its number (10 for G1); -1 if the command
         selects no motion.
     names, letters : list of str
         Name of each command (empty for a move without a G word), and the letters of its values.
@@ -256,8 +256,8 @@ def _words(text: str, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray, n
     begin = number[letters]
     stop = np.append(begin, len(digits))[1:]
     points = np.flatnonzero(kinds == _POINT)
-    word = np.searchsorted(letters, points) - 1  # index of the word that contains each point
-    behind = np.zeros(len(letters), np.int64)  # number of digits after the decimal point of each word
+    word = np.searchsorted(letters, points) - 1  # Index of the word that contains each point.
+    behind = np.zeros(len(letters), np.int64)  # Number of digits after the decimal point of each word.
     behind[word] = stop[word] - number[points]
     short = (stop > begin) & (stop - begin <= _MOST_DIGITS) & (np.bincount(word, minlength=len(letters)) <= 1)
     power = np.repeat(stop, stop - begin) - 1 - np.arange(len(digits))

@@ -35,7 +35,7 @@ _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # Program lines that do not move the tool: grbl's queries and unlock command, and Fanuc's and Haas' print commands.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
-_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # X10,5
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # A decimal comma, as in X10,5.
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
 # Text that is not a word of G-code. The reader ignores text that is not a word in a line that begins with a motion
@@ -97,13 +97,13 @@ class _Reader:
             self.machine.problem(Message("feeds-per-second"), 1)
         self.comments: list[tuple[int, int, str]] = []
         self.in_calls: set[int] = set()
-        self.in_called = False  # whether the current line belongs to a subprogram that is read only at its calls
-        self.passed: list[int] = []  # indices of lines with the number of a subprogram that is read only at its calls
-        self.ran: set[int] = set()  # indices of the lines that were read in calls
-        self.calls: list[int] = []  # indices of the current subprograms' first lines, outermost call first
-        self.jump: int | None = None  # index of the line to which the current line jumps; None without a jump
-        self.again = False  # whether a jump back or a call led to a line that is not after line `number` in the text
-        self.deleted = False  # whether the current line has a block delete
+        self.in_called = False  # Whether the current line belongs to a subprogram that is read only at its calls.
+        self.passed: list[int] = []  # Indices of lines with the number of a subprogram that is read only at its calls.
+        self.ran: set[int] = set()  # Indices of the lines that were read in calls.
+        self.calls: list[int] = []  # Indices of the current subprograms' first lines, outermost call first.
+        self.jump: int | None = None  # Index of the line to which the current line jumps; None without a jump.
+        self.again = False  # Whether a jump back or a call led to a line that is not after line `number` in the text.
+        self.deleted = False  # Whether the current line has a block delete.
         self.number = 0
         self.blocks = 0
         self.strange: list[int] = []

@@ -15,7 +15,7 @@ _TITLED = re.compile(
 )
 # A title and a tool in one comment, as written by Fusion's post processor for Marlin and by SheetCam.
 _BEFORE_TOOL = re.compile(r"(\S.*?) - milling - tool: \d+ - |operation: (\S.*?), T\d+: ", re.IGNORECASE)
-_STARTING = re.compile(r"starting (\S.*) op$")  # a title as Kiri:Moto writes it
+_STARTING = re.compile(r"starting (\S.*) op$")  # A title as Kiri:Moto writes it.
 # Comments that are not titles: post processors write them to describe the post processor, the machine, its modes, or
 # moves within an operation.
 _REMARK = re.compile(

@@ -24,8 +24,8 @@ _LARGEST, _LARGEST_BARE = 500.0, 150.0
 _NUMBER = r"(?:\d+(?:\.\d*|,\d+)?|[.,]\d+)"
 _FRACTION = r"(?:\d+[ -])?\d+/\d+"
 _SIZE = rf"(?P<size>{_FRACTION}|{_NUMBER})"
-_METRIC = ("mm", "мм", "m")  # M as in M8, a metric thread
-_MM = r"mm(?![a-z\d_])"  # Chinese words can follow without a space, as in 6mm立铣刀
+_METRIC = ("mm", "мм", "m")  # M as in M8, a metric thread.
+_MM = r"mm(?![a-z\d_])"  # Chinese words can follow without a space, as in 6mm立铣刀.
 _UNIT = rf"\s*(?P<unit>{_MM}|мм\b|inch(?:es)?\b|in\b\.?|\"|'')?"
 # Words for tools in Chinese, Korean and Japanese, which need no space before the word.
 _UNSPACED = "[铣钻镗铰]刀|[球角头平底]刀|钻头|中心钻|丝锥|엔드밀|볼밀|드릴|커터|리머|탭|챔퍼|페이스밀|공구|エンドミル|ドリル|タップ|リーマ|カッター|フライス|工具"
@@ -68,13 +68,13 @@ _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
 )
-_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between vertical bars, D10 is an offset
+_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between vertical bars, D10 is an offset.
 # This comment from FreeCAD is always in mm, because FreeCAD converts the moves of a program to inches, but not its
 # comments.
 _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)
 # In a comment on cutter compensation, a D word is the number of an offset register.
 _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
-_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment with this word describes several tools
+_SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment with the word "sizes" describes several tools
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # in toolDiam: 0.125, a space is inserted before "Diam"
 _IN_BOTH = re.compile(
@@ -82,8 +82,8 @@ _IN_BOTH = re.compile(
 )  # a size in mm and in inches, as in 11mm / .433
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
-_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose in which a size does not describe a tool
-_KIND = r"(?:\s*(?:flat|square|long|stub|hss|key(?:way|seat)?|woodruff|t-slot|dovetail))*"  # 1.5 KEY CUTTER .0938
+_LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose in which a size does not describe a tool.
+_KIND = r"(?:\s*(?:flat|square|long|stub|hss|key(?:way|seat)?|woodruff|t-slot|dovetail))*"  # As in 1.5 KEY CUTTER.
 _BARE = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?={_KIND}\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,

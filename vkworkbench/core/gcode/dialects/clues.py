@@ -10,8 +10,8 @@ _TURNING = frozenset([32])
 _TURNING_MODES = frozenset([7, 8, 96])
 _TURNING_CYCLES = frozenset([70, 71, 72, 76])
 _PRINTER = frozenset([104, 109, 140, 190])
-_SLOWEST_MILLING = 2.0  # mm/min; a lower feed rate is probably a feed per turn (G99) of a lathe
-_EXTRUSIONS = 10  # largest number of moves whose E words count as typing errors; more are a sign of a 3D printer
+_SLOWEST_MILLING = 2.0  # mm/min; a lower feed rate is probably a feed per turn (G99) of a lathe.
+_EXTRUSIONS = 10  # Largest number of moves whose E words count as typing errors; more are a sign of a 3D printer.
 
 
 class Clues:
@@ -79,11 +79,11 @@ class Clues:
         Parameters
         ----------
         codes : list of int
-            The line's G-codes, as ten times their numbers, e.g. 200 for G20.
+            The line's G-codes, as ten times their numbers (200 for G20).
         parameters : dict
             The line's words, without G, M, S, T, N and O words.
         mode : int
-            The G-code of the motion in force, as ten times its number, e.g. 10 for G1.
+            The G-code of the motion in force, as ten times its number (10 for G1).
         feed : float
             The line's feed rate, mm/min; 0 without an F word, and under G93 and G95.
         line : int

@@ -15,7 +15,7 @@ class Dialect:
     feed_time : float
         The time unit of feed rates, s: 60 for feed rates per minute.
     feeds_in_mm : frozenset of int
-        G-codes (as ten times their numbers, e.g. 200 for G20) that set the unit of lengths and do not change the unit
+        G-codes, as ten times their numbers (200 for G20), that set the unit of lengths and do not change the unit
         of feed rates.
     codes : frozenset of int or None
         G-codes (as ten times their numbers) that have their usual meaning in this dialect; None if all G-codes have
@@ -38,8 +38,8 @@ class Dialect:
 
 RS274 = Dialect()  # the dialect of LinuxCNC, Fanuc, Haas, Mach3 and grbl
 SIEMENS = Dialect(feeds_in_mm=frozenset([700, 710]))
-RAW_PATH = Dialect(feed_time=1.0)  # the text of a FreeCAD path, not converted by a post processor
-HEIDENHAIN = Dialect(  # DIN/ISO
+RAW_PATH = Dialect(feed_time=1.0)  # The text of a FreeCAD path, not converted by a post processor.
+HEIDENHAIN = Dialect(  # Heidenhain programs in DIN/ISO.
     codes=frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910]),
     data=frozenset([300, 310, 990]),  # G30, G31 and G99 define the stock and tools
     has_pole=True,

@@ -25,8 +25,8 @@ _INDEX = re.compile(r"\d+\.?\d*")  # without an exponent, because E5 in the line
 _NAME = re.compile(r"<([^<>]+)>")
 _FUNCTION = re.compile(r"([A-Z]+)\[")
 _OPERATOR = re.compile(r"\*\*|[-+*/]|MOD|AND|XOR|OR|EQ|NE|GT|GE|LT|LE")
-_DEEPEST = 40  # largest depth of nested brackets, and of nested variables such as ###1
-_LARGEST = 1e300  # a result with a larger absolute value is an error in the program
+_DEEPEST = 40  # Largest depth of nested brackets, and of nested variables such as ###1.
+_LARGEST = 1e300  # A result with a larger absolute value is an error in the program.
 
 
 class Parser:

@@ -20,13 +20,13 @@ from vkworkbench.language import Message
 # Largest number of program lines read in loops, after jumps back and in calls; a line is counted each time that it is
 # read.
 MOST_LINES = 1_000_000
-MOST_IDLE_LINES = 100_000  # largest number of successive lines in loops and calls that add no command
-MOST_STEPS = 20_000_000  # largest number of calculation steps, which limits the time for all calculations
-DEEPEST = 10  # largest depth of nested calls of subprograms
+MOST_IDLE_LINES = 100_000  # Largest number of successive lines in loops and calls that add no command.
+MOST_STEPS = 20_000_000  # Largest number of calculation steps, which limits the time for all calculations.
+DEEPEST = 10  # Largest depth of nested calls of subprograms.
 # Largest number of commands of an NC program with loops, jumps or calls; a toolpath has at most this many moves.
 MOST_COMMANDS = 5_000_000
 
-_UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # an assignment to a variable, in a line that cannot be parsed
+_UNREAD = re.compile(r"#(?:(\d+)|<([^<>]+)>)=")  # An assignment to a variable, in a line that cannot be parsed.
 # The beginning of a control statement (jump, loop, condition or call). The rest of the statement possibly contains an
 # error.
 _JUMP = re.compile(

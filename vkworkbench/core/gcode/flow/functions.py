@@ -12,8 +12,8 @@ from typing import Any, Callable  # not from collections.abc, whose Callable has
 Unary = Callable[[float], float]
 Binary = Callable[[Any, Any], float]
 
-_EQUAL = 1e-4  # in LinuxCNC, EQ is true if two numbers differ by less than this limit
-_WHOLE_BITS = 1 << 53  # whole numbers above this limit are not exact in a float
+_EQUAL = 1e-4  # In LinuxCNC, EQ is true if two numbers differ by less than this limit.
+_WHOLE_BITS = 1 << 53  # Whole numbers above this limit are not exact in a float.
 
 LOGICAL = frozenset(["AND", "OR", "XOR"])
 COMPARISONS = frozenset(["EQ", "NE", "GT", "GE", "LT", "LE"])

@@ -29,7 +29,7 @@ class Block:
     Attributes
     ----------
     kind : str
-        The keyword at the beginning, e.g. WHILE, IF or SUB; ``DO-N`` for a loop of a Fanuc control.
+        The keyword at the beginning, such as WHILE, IF or SUB; ``DO-N`` for a loop of a Fanuc control.
     marks : list of int
         Indices of the first line, of the ELSEIF and ELSE lines, and of the last line.
     closed : bool

@@ -19,7 +19,7 @@ PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
 # Codes that call the program whose number is the P word.
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])
-_CALL_LETTERS = frozenset("PpOo:")  # a line without P, O and a colon neither calls nor begins a program
+_CALL_LETTERS = frozenset("PpOo:")  # A line without P, O and a colon neither calls nor begins a program.
 # Patterns that occur only in programs for LinuxCNC, and patterns that occur only in programs for Fanuc controls. In a
 # text without a LinuxCNC pattern, a program number (O1000) also indicates a Fanuc control.
 _LINUXCNC = re.compile(r"#<|\*\*|EXISTS\[|O(?:\d+|<[^<>]*>)(?:SUB|CALL|IF|WHILE|DO|REPEAT)", re.IGNORECASE)

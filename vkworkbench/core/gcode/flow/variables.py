@@ -14,10 +14,10 @@ from vkworkbench.language import Message
 # Message with the reason is stored instead.
 Value = Union[float, None, Message]
 
-ALARM = 3000  # on Fanuc controls, an assignment to #3000 raises an alarm
-_LARGEST_NUMBER = 99_999  # variables with larger numbers do not exist, which limits the memory for variables
-_WHOLE = 1e-4  # LinuxCNC: largest difference between a variable's number and a whole number
-_RESULTS = frozenset(["_VALUE", "_VALUE_RETURNED"])  # LinuxCNC: the result of a subprogram
+ALARM = 3000  # On Fanuc controls, an assignment to #3000 raises an alarm.
+_LARGEST_NUMBER = 99_999  # Variables with larger numbers do not exist, which limits the memory for variables.
+_WHOLE = 1e-4  # LinuxCNC: largest difference between a variable's number and a whole number.
+_RESULTS = frozenset(["_VALUE", "_VALUE_RETURNED"])  # LinuxCNC: the result of a subprogram.
 # LinuxCNC's variables for the state of the machine.
 _OF_MACHINE = frozenset([
     "_VMAJOR", "_VMINOR", "_LINE", "_MOTION_MODE", "_PLANE", "_CCOMP", "_METRIC", "_IMPERIAL", "_ABSOLUTE",
@@ -33,9 +33,9 @@ _OF_MACHINE = frozenset([
 # the coordinate.
 _PLACE = {5420: "X", 5421: "Y", 5422: "Z"}
 _PLACE_OF_FANUC = {5001: "X", 5002: "Y", 5003: "Z", 5041: "X", 5042: "Y", 5043: "Z"}
-_FIRST_OF_MACHINE, _LAST_OF_MACHINE = 5000, 5999  # LinuxCNC: positions, offsets, the tool table, results of probing
-_FIRST_OF_FANUC = 1000  # Fanuc: signals, tool offsets, alarms, clocks, modal states, positions
-_KEPT_FROM, _KEPT_TO = 500, 999  # Fanuc: variables that keep their values when the power is off
+_FIRST_OF_MACHINE, _LAST_OF_MACHINE = 5000, 5999  # LinuxCNC: positions, offsets, the tool table, results of probing.
+_FIRST_OF_FANUC = 1000  # Fanuc: signals, tool offsets, alarms, clocks, modal states, positions.
+_KEPT_FROM, _KEPT_TO = 500, 999  # Fanuc: variables that keep their values when the power is off.
 
 
 @dataclass
@@ -45,7 +45,7 @@ class Frame:
     Attributes
     ----------
     numbers : dict
-        The values of #1, #2, ... by their numbers.
+        The values of variables such as #1, by their numbers.
     names : dict
         The values of #<name> by their names.
     left : dict of int to int

@@ -67,7 +67,7 @@ def follow(machine: Machine, mode: int, move: dict[str, float]) -> None:
     machine : Machine
         Machine whose `compensation` is not None.
     mode : int
-        The G-code of the motion, as ten times its number, e.g. 10 for G1.
+        The G-code of the motion, as ten times its number (10 for G1).
     move : dict
         The words of the move in the coordinates of the toolpath, mm.
     """

@@ -25,7 +25,7 @@ def write(machine: Machine, mode: int, words: dict[str, float], move: dict[str, 
     ----------
     machine : Machine
     mode : int
-        The G-code of the move's motion, as ten times its number, e.g. 10 for G1.
+        The G-code of the move's motion, as ten times its number (10 for G1).
     words, move : dict
         The parameters of the move's line, and the words of the move in the coordinates of the toolpath, mm.
     """

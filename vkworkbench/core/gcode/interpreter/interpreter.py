@@ -28,7 +28,7 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
-_MACHINE_POSITIONS = (91, 92)  # Heidenhain's M-codes for a move to a machine position
+_MACHINE_POSITIONS = (91, 92)  # Heidenhain's M-codes for a move to a machine position.
 # Words that controls process before the other words of a line: units, modes, planes and work offsets.
 _FIRST = frozenset(("G", code / 10) for code in codes.UNITS | codes.KEPT | codes.OFFSETS)
 _HANDLERS: dict[int, Handler] = {

@@ -12,10 +12,10 @@ from vkworkbench.core.gcode.interpreter.state.modes import Modes
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-_OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes for analog outputs, for example to a laser, with E and Q words
-_SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # Marlin's M-codes for steps/mm, speeds and accelerations
-_OTHERS_M_CODE = 1000  # smallest number of M-codes that vendors define, for example Snapmaker's M2000
-_ORIENT = 19  # M19 turns the spindle to the angle in its R word
+_OUTPUTS = frozenset([67, 68])  # LinuxCNC's M-codes for analog outputs, for example to a laser, with E and Q words.
+_SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # Marlin's M-codes for steps/mm, speeds and accelerations.
+_OTHERS_M_CODE = 1000  # Smallest number of M-codes that vendors define, for example Snapmaker's M2000.
+_ORIENT = 19  # M19 turns the spindle to the angle in its R word.
 _SPINDLE = frozenset([3, 4, 5])
 # M-codes at which the operator or the tool changer can move the tool.
 _STOPS = frozenset([0, 1, 6, 60, 600])

@@ -19,7 +19,7 @@ def map_move(machine: Machine, mode: int, move: dict[str, float]) -> None:
     ----------
     machine : Machine
     mode : int
-        The G-code of the motion, as ten times its number, e.g. 10 for G1.
+        The G-code of the motion, as ten times its number (10 for G1).
     move : dict
         The words of the move before the maps are applied, mm. The dictionary `move` is changed.
     """

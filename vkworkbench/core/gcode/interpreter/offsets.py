@@ -145,7 +145,7 @@ def leave_program(machine: Machine, line: Line, axes: set[str], code: int, name:
     axes : set of str
         The axes that move.
     code : int
-        The G-code of the command for the move in Z, as ten times its number, e.g. 530 for G53.
+        The G-code of the command for the move in Z, as ten times its number (530 for G53).
     name : str
         Name of the program's code, for messages.
     """

@@ -20,8 +20,8 @@ Shape = Callable[[Machine, Line, Dict[str, float]], None]
 
 
 def _dwell(machine: Machine, line: Line) -> None:
-    line.feeds = not line.letters.isdisjoint("PXU")  # on Siemens controls, F in G4 F2 is the time
-    line.apart |= "P" not in line.letters  # in a line with a P word, the axis words are the target of a move
+    line.feeds = not line.letters.isdisjoint("PXU")  # On Siemens controls, F in G4 F2 is the time.
+    line.apart |= "P" not in line.letters  # In a line with a P word, the axis words are the target of a move.
     seconds = dwell_of(dict(line.words))
     if seconds is None:
         machine.problem(Message("dwell-untimed"))

@@ -11,9 +11,9 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.core.gcode.moves.unread import ROTARY
 from vkworkbench.language import Message
 
-_COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # letters of absolute coordinates, and their axes
-_OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # for arcs with absolute centres (G90.1)
-_POLAR = "@^"  # LinuxCNC's polar coordinates: @ is the distance from the origin, ^ is the angle in degrees
+_COORDINATES = {"X": "X", "Y": "Y", "Z": "Z"}  # Letters of absolute coordinates, and their axes.
+_OF_ARCS = {**_COORDINATES, "I": "X", "J": "Y", "K": "Z"}  # Absolute coordinates of arcs under G90.1.
+_POLAR = "@^"  # LinuxCNC's polar coordinates: @ is the distance from the origin, ^ is the angle in degrees.
 _POLAR_LETTERS = dict(zip("XY", _POLAR))
 _LENGTHS = frozenset("XYZIJKRQ")
 _KNOWN = _LENGTHS | {"F", "S", "P", "L", "H", "D", *_POLAR}

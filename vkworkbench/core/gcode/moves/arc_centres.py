@@ -10,8 +10,8 @@ from vkworkbench.core.gcode.moves.codes import CLOCKWISE
 from vkworkbench.core.gcode.moves.modal import ModalState
 from vkworkbench.language import Message
 
-_MOST_TURNS = 10_000  # largest number of turns of an arc (P word)
-_OFF_CIRCLE = 0.05  # mm; if an arc ends farther than this from its circle, its centre words were probably misread
+_MOST_TURNS = 10_000  # Largest number of turns of an arc (P word).
+_OFF_CIRCLE = 0.05  # mm; if an arc ends farther than this from its circle, its centre words were probably misread.
 
 
 def resolve_arcs(

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-KILOMETRE = 1e6  # mm; an arc with this radius or a larger radius is read as a line
+KILOMETRE = 1e6  # mm; an arc with this radius or a larger radius is read as a line.
 # Largest radius of an arc of more than half a turn, mm. An arc with a larger radius is read as a line, because rounding
 # probably moved its centre to the wrong side of the chord.
 LARGEST_CIRCLE = 1e4
 # Rad, largest angle of a chord; with larger angles, the chords of tiny circles have too few directions.
 LARGEST_STEP = np.pi / 4
-SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; smaller chords would need too much memory
-SAME_POINT = 1e-6  # mm, largest distance between equal points; FreeCAD saves 6 decimals
-SAME_DIRECTION = 5e-7  # rad; an arc with a smaller sweep can be a full circle, as in grbl
-ROUNDED = 0.02  # mm, largest rounding error of an end point, for a program in inches with three decimals
+SMALLEST_STEP = 1e-9  # rad, smallest angle of a chord; smaller chords would need too much memory.
+SAME_POINT = 1e-6  # mm, largest distance between equal points; FreeCAD saves 6 decimals.
+SAME_DIRECTION = 5e-7  # rad; an arc with a smaller sweep can be a full circle, as in grbl.
+ROUNDED = 0.02  # mm, largest rounding error of an end point, for a program in inches with three decimals.
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ XY_PLANE = 170
 PLANES = {XY_PLANE: 17, 180: 18, 190: 19}
 DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the drilling axis of canned cycles, by plane
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
-TO_START, TO_RETRACT_PLANE = 980, 990  # height after a canned cycle
+TO_START, TO_RETRACT_PLANE = 980, 990  # Height after a canned cycle.
 # G98 of Fanuc controls, under which FEED_OUT cycles retract at the feed rate to R, and at rapid to the start height.
 # Only this package uses the number 981.
 RAPID_TO_START = 981
@@ -58,14 +58,14 @@ MORE_OFFSETS = 541
 NUMBERED_OFFSETS = frozenset([MORE_OFFSETS, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
     540, 550, 560, 570, 580, 590, 591, 592, 593,
-    *range(1100, 1300, 10),  # Haas
-    5000, *range(5050, 6000, 10),  # Siemens
+    *range(1100, 1300, 10),  # Work offsets of Haas controls.
+    5000, *range(5050, 6000, 10),  # Work offsets of Siemens controls.
 ])  # fmt: skip
-# G15 ends G16. Okuma's G15 with an H word selects a work offset. Okuma's G54 to G56 with an H word, or with HA to HC, select a tool
-# length offset.
+# G15 ends G16. Okuma's G15 with an H word selects a work offset. Okuma's G54 to G56 with an H word, or with HA, HB or
+# HC, select a tool length offset.
 OKUMA_OFFSET = 150
-LOCAL = 520  # G52 shifts the coordinates by its axis words
-POSITION, END_SHIFT, SUSPEND_SHIFT, RESUME_SHIFT = 920, 921, 922, 923  # G92 shifts the coordinates to its axis words
+LOCAL = 520  # G52 shifts the coordinates by its axis words.
+POSITION, END_SHIFT, SUSPEND_SHIFT, RESUME_SHIFT = 920, 921, 922, 923  # G92 shifts the coordinates to its axis words.
 ROTATE, END_ROTATION, SCALE, END_SCALE, MIRROR, END_MIRROR = 680, 690, 510, 500, 511, 501
 POLAR = 160
 CHANGES_COORDINATES = frozenset([71, LOCAL, 682])
@@ -80,7 +80,7 @@ MACRO_CALLS = frozenset([650, 660])
 HARMLESS = OFFSETS | STORED_POSITIONS | frozenset([
     80, 90, 110, 150, 200, 210, 400, 401, 410, 411, 412, 420, 421, 422, 430, 431, 432, 434, 435, 440, 490, 500, 600,
     610, 611, 620, 630, 640, 670, 690, 700, 710, 930, 940, 950, 960, 970, 1030, 1870,
-    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # Siemens: modes for motion around corners
+    4500, 4510, 6010, 6020, 6030, 6410, 6420, 6430, 6440, 6450,  # Siemens: modes for motion around corners.
 ])  # fmt: skip
 
 _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
@@ -108,7 +108,7 @@ def code_of(name: str) -> int:
 
 
 def name_of(code: int) -> str:
-    """Return the name of a G-code, e.g. ``"G90.1"`` for 901, which is ten times its number."""
+    """Return the name of a G-code that is given as ten times its number, such as ``"G90.1"`` for 901."""
     return f"G{code // 10}.{code % 10}" if code % 10 else f"G{code // 10}"
 
 

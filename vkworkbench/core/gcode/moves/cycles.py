@@ -19,7 +19,7 @@ class Heights:
     """The R and Z words in force for canned cycles, from which the heights of each cycle are computed."""
 
     def __init__(self) -> None:
-        self._begin: float | None = None  # height at the start of the series of cycles; None between two series
+        self._begin: float | None = None  # Height at the start of the series of cycles; None between two series.
         # Whether R is higher than the start of the series, so that the tool rises to R before it moves to the hole.
         self.rises = False
         self._level = self._depth = 0.0
@@ -153,7 +153,7 @@ def moves(
     Parameters
     ----------
     code : (m,) int
-        G-code of each cycle, as ten times its number, e.g. 810 for G81.
+        G-code of each cycle, as ten times its number (810 for G81).
     start : (m, 3) float64
         Position before the cycle, mm.
     hole : (m, 2) float64

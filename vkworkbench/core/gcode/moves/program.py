@@ -15,7 +15,7 @@ from vkworkbench.language import Message
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """An NC program.
+    """An NC program that has been read.
 
     Attributes
     ----------

@@ -14,14 +14,14 @@ INCH = 25.4  # mm
 
 # A toolpath below all three limits (SMALL, LOW and SLOW) is more often read in the wrong unit than really this small.
 # benchmarks/inches.py prints how often toolpaths look like inches, at their exact size and at 1/25.4 of this size.
-SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches
+SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches.
 # Like SMALL, but below this limit a remark says that the unit is doubtful. Higher: more parts in mm get the remark.
 # Lower: more large parts in inches get no remark.
 DOUBTFUL = 40.0
 # mm, height from the lowest cut to the highest point; most programs in mm lift the tool farther above the cuts.
 LOW = 4.0
-SLOW = 5.0  # mm/s, median feed rate; few programs in inches are faster than 300 inches/min (read as 5 mm/s)
-IMPORTED_SLOW = 300.0  # SLOW for toolpaths from FreeCAD's import, which reads mm/min or inches/min as mm/s
+SLOW = 5.0  # mm/s, median feed rate; few programs in inches are faster than 300 inches/min (read as 5 mm/s).
+IMPORTED_SLOW = 300.0  # SLOW for toolpaths from FreeCAD's import, which reads mm/min or inches/min as mm/s.
 # If the fastest feed, mm/s, reaches this limit, all feeds are read as mm/min. Some mills cut faster than 250 mm/s
 # (15 m/min), but even fewer programs cut more slowly than 250 mm/min throughout.
 PER_MINUTE = 250.0

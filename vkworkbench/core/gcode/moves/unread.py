@@ -28,7 +28,7 @@ ROTARY = "ABC"
 # Letters that are not reported: `linearize` reads the words with these letters, or they do not change the tool's path.
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
-_CORNERS = frozenset("IJKR")  # with I, J, K or R in a straight move, some controls round or chamfer the next corner
+_CORNERS = frozenset("IJKR")  # With I, J, K or R in a straight move, some controls round or chamfer the next corner.
 # s, largest P word of a dwell that is read in seconds. A larger P word is in ms, as on Fanuc controls.
 _LONGEST_DWELL = 60.0
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
@@ -42,7 +42,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     words : Words
         The words of n commands.
     motion : (n,) int
-        The G-code of each command's motion, as ten times its number, e.g. 10 for G1; negative if the command is not a
+        The G-code of each command's motion, as ten times its number (10 for G1); negative if the command is not a
         motion.
 
     Yields

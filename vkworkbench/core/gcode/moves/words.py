@@ -29,7 +29,7 @@ _MOVES = (*MOTIONS, *PROBES, *MACHINE)
 # Codes that do not move the tool; axis words in the same command are the target of a move.
 _CARRIERS = frozenset(STATES) - {DWELL, 431, CANCEL}
 _ABSENT = 1e300
-_PIECE = 50_000  # number of commands read at once; the parameters of each command need half a kB of memory
+_PIECE = 50_000  # Number of commands read at once; the parameters of each command need half a kB of memory.
 # A name such as X10. FreeCAD's import makes the first word of a line the command's name, even if this word is a
 # coordinate or a line number.
 _WORD_NAME = re.compile(r"\s*([XYZIJKRFN])\s*([-+]?(?:\d+\.?\d*|\.\d+))\s*", re.IGNORECASE | re.ASCII)
@@ -122,7 +122,7 @@ class Words:
         Parameters
         ----------
         letter : str
-            Name of the parameter, e.g. ``"X"``.
+            Name of the parameter, such as ``"X"``.
         rows : (m,) int, optional
             Indices of the commands; all commands if not given.
 

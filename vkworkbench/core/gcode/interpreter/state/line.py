@@ -19,7 +19,7 @@ class Line:
     parameters : dict
         The values of the words that are parameters of the motion, by their letters.
     codes : list of int
-        The G-codes of the line that were processed so far, as ten times their numbers, e.g. 200 for G20.
+        The G-codes of the line that were processed so far, as ten times their numbers (200 for G20).
     motion : int or None
         The G-code of the motion that the line selects, as ten times its number; None if the line selects no motion.
     once : int or None
@@ -45,7 +45,7 @@ class Line:
 
     @property
     def code(self) -> int:
-        """int : The G-code that is being processed, as ten times its number, e.g. 200 for G20."""
+        """int : The G-code that is being processed, as ten times its number (200 for G20)."""
         return self.codes[-1]
 
     def lengths(self, unit: float) -> dict[str, float]:

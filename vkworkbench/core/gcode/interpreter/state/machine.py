@@ -55,7 +55,7 @@ class Machine:
     first_unit : float or None
         The program's first unit, mm: 25.4 for inches, 1 for mm; None before the first unit word.
     motion : int
-        The G-code of the motion in force, as ten times its number, e.g. 10 for G1; -1 before the first motion.
+        The G-code of the motion in force, as ten times its number (10 for G1); -1 before the first motion.
     before_cycles : int
         The motion before the last series of canned cycles.
     written : int
@@ -266,7 +266,7 @@ class Machine:
         self.away = [(line, what) for line, what in self.away if what.code != "machine-height"]
 
     def measure_in(self, code: int) -> None:
-        """Set the unit of lengths and feed rates by a G-code, given as ten times its number, e.g. 200 for G20."""
+        """Set the unit of lengths and feed rates by a G-code, given as ten times its number (200 for G20)."""
         self.modes.measure_in(code, self.dialect.feeds_in_mm)
         if self.first_unit is None:
             self.first_unit = self.modes.unit

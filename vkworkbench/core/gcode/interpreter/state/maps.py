@@ -50,7 +50,7 @@ class Map(NamedTuple):
 
 
 def _around(factor: complex, centre: complex) -> Map:
-    """Return a rotation and scale around a point."""
+    """Return the map that rotates and scales around a point."""
     return Map(factor, centre - factor * centre)
 
 

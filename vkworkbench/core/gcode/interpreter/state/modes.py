@@ -68,7 +68,7 @@ class Modes:
         Parameters
         ----------
         code : int
-            G-code of the unit, as ten times its number, e.g. 200 for G20.
+            G-code of the unit, as ten times its number (200 for G20).
         of_lengths : frozenset of int
             G-codes that set the unit of lengths only.
         """

@@ -16,7 +16,7 @@ _SAME = 1e-6  # mm; points at most this far apart are treated as equal
 
 @dataclass
 class Curve:
-    """A straight line or an arc.
+    """An offset curve: a straight line or an arc.
 
     Attributes
     ----------

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import Dict, Tuple
 
-System = Tuple[int, float]  # ten times the G-code of a work offset (540 for G54), and its P or H word
-Values = Dict[str, float]  # mm, by axis
+System = Tuple[int, float]  # Ten times the G-code of a work offset (540 for G54), and its P or H word.
+Values = Dict[str, float]  # Lengths in mm, by axis.
 FIRST: System = (540, 0.0)
 # Work offsets, by the P word of G10 that selects them. P0 is not in this table, because it means the work offset in
 # force.
@@ -38,9 +38,9 @@ class Origins:
         self.system = FIRST
         self._suspended: Values = {}
         self._origins: dict[System, Values] = {}
-        self._machine: dict[System, Values] = {}  # origins in machine coordinates, from G10 L2
-        self._assumed: set[System] = set()  # work offsets whose origins are not in the program
-        self._zero: Values = {}  # origin of the toolpath in machine coordinates
+        self._machine: dict[System, Values] = {}  # Origins in machine coordinates, from G10 L2.
+        self._assumed: set[System] = set()  # Work offsets whose origins are not in the program.
+        self._zero: Values = {}  # Origin of the toolpath in machine coordinates.
 
     def of(self, letter: str) -> float:
         """Return the origin in force along an axis, mm."""
