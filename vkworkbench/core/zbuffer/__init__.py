@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The paper's extended z-buffer with traces: simulation, findings, and cost estimates.
+"""Simulate machining with the paper's extended z-buffer, find faults in the result, and estimate the simulation's cost.
 
 The functions of this package receive one or several `Cut` objects (a toolpath with its tool), a stock and a view. The
 main classes are:
 
-* `ZBuffer`: the simulated image of the part, with the exact dexels and traces after any number of trajectories.
+* `ZBuffer`: the simulated part as an image, with the exact dexels (remaining material) and traces (removed material) on
+  each pixel's ray after any number of trajectories.
 * `JobFacts`: what the simulation shows about each operation, such as gouges, material left and removed volume.
 * `Estimate`: the number of records (dexels, trace elements and gaps), the memory and the time of a simulation,
   estimated from sampled rays.
 * `Resolution`: the smallest pixel with which a simulation stays within a budget of memory and time.
 * `OverBudget`: the error raised if a simulation needs too much memory.
-* `Speed`: the speed of this computer, with which times are estimated.
+* `Speed`: the measured speed of this computer, from which simulation times are estimated.
 """
 
 from vkworkbench.core.zbuffer.cost.axis_view import axis_view

@@ -16,12 +16,13 @@ from vkworkbench.core.zbuffer.cost.resolution import best_resolution
 from vkworkbench.core.zbuffer.cost.speed import USUAL, Speed
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# _FINE_ENOUGH: largest pixel that is small enough for the check, mm. This pixel is half the default tolerance of the
-# comparison with the model, so that a wall whose error exceeds the tolerance is displaced by more than a pixel.
-# _OF_TOOL: largest pixel as a share of the thinnest tool's diameter.
+# _FINE_ENOUGH: largest pixel, mm, with which crashes and deviations from the model are searched for. It is half the
+# default tolerance of the comparison with the model, so that a wall whose error exceeds the tolerance is displaced by
+# more than a pixel.
+# _OF_TOOL: upper limit for the side of a pixel, as a share of the thinnest tool's diameter.
 _FINE_ENOUGH, _OF_TOOL = 0.05, 1 / 16
-# Longer side of the image for which the cost is estimated, pixels. The cost of images with smaller pixels is
-# extrapolated from the cost of this image.
+# Number of pixels along the longer side of the image for which the cost is estimated. The cost for images with smaller
+# pixels is extrapolated.
 _FIRST = 800
 # Peak memory of the comparison with the model, as a multiple of the peak memory of the simulation.
 _COMPARING = 1.6

@@ -15,14 +15,14 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.given import number
 
-# Depth below the stock's top, mm. A point of the toolpath above this depth does not prove that the tool cuts.
+# Minimum depth below the stock's top, mm, of a toolpath point that proves that the tool cuts.
 _SHALLOW = 1e-3
 
 
 def cuts_surely(toolpath: Toolpath, stock: Solid) -> bool:
     """Return whether the tool certainly cuts, because a point of the toolpath is inside or below a box-shaped stock.
 
-    If the result is False, the tool can still cut.
+    The result False proves nothing: the tool can still cut.
     """
     if not isinstance(stock, Stock):
         return False

@@ -23,15 +23,15 @@ from vkworkbench.core.zbuffer.memory.counts import Counts
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.trajectories import Kind
 
-# Number of pairs of a tile and a trajectory in the sample of each level: `_PAIRS` for each kind of trajectory, plus one
-# pair for each trajectory, but at most `_CROWDED` pairs. The number of pairs grows with the number of kinds, because
-# operations with different tools cut different tiles. The number of pairs also grows with the number of trajectories,
-# because a few tiles with long lists would otherwise fill the sample. `_LOOKED_AT` is the approximate number of pairs
-# that are tested for the tiles of the first level.
+# Number of pairs of a tile and a trajectory that are drawn from all tiles of one size: `_PAIRS` for each kind of
+# trajectory, plus one pair for each trajectory, but at most `_CROWDED` pairs. The number of pairs grows with the number
+# of kinds of trajectories, because operations with different tools cut different tiles. The number of pairs also grows
+# with the number of trajectories, because a few tiles with long lists would otherwise fill the sample. `_LOOKED_AT` is
+# the approximate number of pairs that are tested for the tiles of the largest size.
 _PAIRS = 12_000
 _CROWDED = 40_000
 _LOOKED_AT = 2_000_000
-# Minimum number of tiles of the first level in the sample.
+# Minimum number of tiles of the largest size in the sample.
 _FEWEST = 24
 
 # Seed of the random sample. A fixed seed gives equal estimates for equal arguments.
@@ -41,10 +41,11 @@ _SEED = 2002
 # bull-nose tool) + 2 * (1 if the move is sloped) + (1 if the view is oblique). benchmarks/learn_effort.py fits the
 # costs below, as multiples of the times in `Speed`. TESTS is the cost of testing a pair of a tile and a trajectory.
 # CELLS is the cost of a cell; a cell is the cutting of one pixel's ray by one trajectory. SORTED is the additional cost
-# of a cell on a ray whose intervals are sorted. RECORDS is the cost of a record (dexel, trace element or gap) in a
-# vertical view and in an oblique view. For a bull-nose in an oblique view, cutting a cell between the ends of the move
-# takes about three times as long as cutting a cell at an end, whether the move is level or sloped. Therefore, in CELLS
-# only, kind 13 means "at an end of the move" and kind 15 means "between the ends" instead of "level" and "sloped".
+# of a cell if the ray's removed intervals must be sorted. RECORDS is the cost of a record (dexel, trace element or gap)
+# in a vertical view and in an oblique view. For a bull-nose in an oblique view, cutting a cell between the ends of the
+# move takes about three times as long as cutting a cell at an end, whether the move is level or sloped. Therefore the
+# kinds 13 and 15, which mean a bull-nose's level and sloped moves in TESTS, mean cells at an end of the move and cells
+# between the ends in CELLS.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -75,16 +76,16 @@ class Work:
     cells : (16,) tuple of float
         Number of cells, which are pairs of a trajectory and a pixel whose ray the trajectory cuts, by kind.
     unconnected : float
-        Share of `cells` on rays whose removed intervals are not connected. The simulator sorts the intervals of such
-        rays only.
+        Share of `cells` on rays whose removed intervals are not connected. The simulator sorts the removed intervals
+        only on these rays.
     records : (2,) tuple of float
         Number of records (dexels, trace elements and gaps) in a vertical view, and in an oblique view; one of the two
         is 0.
     bands : float
         Number of bands (`TILE` rows of pixels), from the lowest to the highest band that trajectories reach.
     kinds : float
-        Mean number of kinds of trajectories that reach a band. The simulator processes the pairs of a tile and a
-        trajectory of each kind separately.
+        Mean number of kinds of trajectories (shape of the tool, level or sloped move) that reach a band. The simulator
+        processes the pairs of a tile and a trajectory of each kind separately.
     """
 
     trajectories: float
@@ -107,8 +108,8 @@ class Work:
         -------
         (7,) float64
             Numbers of trajectories, pixels, pairs of a trajectory and a tile of the largest size, batches of pairs of
-            one kind, tests, cells and records. Tests, cells and records are weighted with TESTS, CELLS, SORTED and
-            RECORDS.
+            one kind, tests, cells and records. Tests, cells and records are multiplied by their costs in TESTS, CELLS,
+            SORTED and RECORDS.
         """
         levels = np.array(self.pairs).reshape(-1, KINDS)
         pairs, tests = _shift_levels(levels.sum(axis=1), growth), _shift_levels(levels @ TESTS, growth)
@@ -125,9 +126,9 @@ class Work:
     def _cell_growth(self, growth: float) -> float:
         """Return the factor by which the number of cells grows if the number of pixels grows by `growth`.
 
-        The result is the geometric mean of two models. In the first model, the number of pairs of a tile and a
-        trajectory grows from each level of tiles to the next by the same factor as in the last known level. In the
-        second model, the number of cells is proportional to the number of pixels.
+        The result is the geometric mean of two models. In the first model, each halving of the tiles' side multiplies
+        the number of pairs of a tile and a trajectory by the same factor as the last halving whose factor is known. In
+        the second model, the number of cells is proportional to the number of pixels.
         """
         if not self.pairs or sum(self.cells) == 0:
             return growth
@@ -137,9 +138,9 @@ class Work:
 
 
 def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
-    """Return an amount that is known for each level, converted to an image with `growth` times as many pixels.
+    """Convert an amount of work for each size of tiles to an image with `growth` times as many pixels.
 
-    The amounts are interpolated between levels on a logarithmic scale.
+    The amounts are interpolated between sizes of tiles on a logarithmic scale.
     """
     if growth == 1 or len(levels) < 2 or levels.min() <= 0:
         return levels * growth
@@ -210,7 +211,8 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
     band, most, half = TILE * frame.pixel, -(-frame.height // TILE), frame.height * frame.pixel / 2
     bottom, top = np.clip(removal.box[2:], -half, half)
     own = [removal.kind == number for number in range(len(removal.kinds))]
-    # A band that trajectories reach only partly counts as a whole band, which adds one band on average.
+    # A band is a strip of `TILE` rows of pixels. A band that trajectories reach only partly counts as a whole band,
+    # which adds one band on average.
     each = [min((top[kind].max() - bottom[kind].min()) / band + 1, most) for kind in own]
     if not each:
         return 0.0, 1.0
@@ -219,10 +221,10 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
 
 
 def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kind (m,) of each trajectory's cells, and the share (m,) of a bull-nose's cells between the ends.
+    """Return the kind (m,) of each trajectory's cells, and the share (m,) of its cells between the ends of the move.
 
-    The share is estimated as run / (run + pi / 2 * radius), which is the area of the rectangle between the discs at
-    both ends of the move, divided by the whole swept area.
+    For a bull-nose, the share is estimated as run / (run + pi / 2 * radius): the area of the rectangle between the
+    discs at both ends of the move, divided by the whole swept area. For other tools, the share is 0.
     """
     rounded = (kind == _AT_END) | (kind == _BETWEEN)
     run = removal.heading[2]
@@ -231,7 +233,7 @@ def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def _count_pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
-    """Return the estimated number of pairs of each kind, (KINDS,). Each pair has the weight of its tile."""
+    """Return the estimated number of pairs of each kind, (KINDS,). Each pair is counted with the weight of its tile."""
     return np.bincount(kind[tiles.item], np.repeat(weight, np.diff(tiles.first)), KINDS)
 
 
@@ -244,7 +246,7 @@ def _kind_number(kind: Kind, upright: bool) -> int:
 
 
 def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
-    """Return a sample of the first level's tiles, the weight of each drawn tile, and the number of all these tiles."""
+    """Return a sample of the largest tiles, the weight of each drawn tile, and the number of all largest tiles."""
     frame = removal.frame
     columns, rows = -(-frame.width // TILE), -(-frame.height // TILE)
     every = columns * rows
@@ -283,7 +285,7 @@ def _draw_tiles(
 
 
 def _chances(likely: np.ndarray, count: int) -> np.ndarray:
-    """Return the probability of each tile to be among `count` drawn tiles: proportional to `likely` (t,), at most 1."""
+    """Return the probability of drawing each tile if `count` are drawn: proportional to `likely` (t,), at most 1."""
     sure = np.zeros(len(likely), bool)
     while True:
         left = likely[~sure].sum()

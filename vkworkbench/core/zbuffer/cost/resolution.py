@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the image with the smallest pixels that a memory or time budget allows (the inverse problem of the paper)."""
+"""Find the image with the smallest pixels that a memory or time budget allows."""
 
 from __future__ import annotations
 

@@ -27,14 +27,14 @@ _TOP, _TILTED = (0, 0, -1), (0, 1, -2)
 # Largest number of times that each synthetic simulation is timed.
 _RUNS = 8
 # Uncertainty of a time that is estimated with a measured speed: 90 % of the actual times are between the estimate
-# divided by this factor and the estimate times this factor. benchmarks/resources.py and, for more kinds of toolpaths,
-# benchmarks/learn_effort.py print this percentage.
+# divided by this factor and the estimate times this factor. benchmarks/resources.py prints which share of the actual
+# times is in this range; benchmarks/learn_effort.py prints the share for more kinds of toolpaths.
 _FACTOR = 2.0
-# Weight, in the fit, of keeping the default proportions between the constants, relative to the weight of one measured
-# time.
+# Weight of the ridge term of the fit, which keeps the default proportions between the constants of `Speed`; a measured
+# time has the weight 1.
 _RIDGE = 0.5
-# Lower bound of each fitted constant, as a share of the scaled default constant. Without this bound, noisy times could
-# give constants that are zero or negative.
+# Lower bound of each fitted constant of `Speed`, as a share of the default constant that is scaled to this computer.
+# Without the bound, noisy times could give constants that are zero or negative.
 _LEAST = 0.1
 
 
@@ -66,7 +66,7 @@ class Speed:
         Uncertainty of an estimated time; the actual time is probably between the estimate divided by `factor` and the
         estimate times `factor`.
     processes : int
-        Number of processes that cut at the same time. All other attributes are times for one process.
+        Number of processes that cut at the same time. The times in the other attributes are for one process.
     """
 
     trajectory: float = 3.91e-07

@@ -8,7 +8,7 @@ divided into tiles, and the tiles are divided into quarters repeatedly, down to 
 the trajectories that can cut it, in the order in which they are cut. A trajectory that is dropped from a tile is also
 dropped from the tile's quarters. Each step computes with arrays of pairs of a tile and a trajectory, sorted by tile and
 then by trajectory. The computing time grows with the sum, not with the product, of the number of trajectories and the
-number of removed pieces.
+number of pieces that are removed from rays.
 
 A trajectory opens a ray to a depth if the trajectory removes the stock from the ray's near end to this depth. A
 trajectory opens a tile to a depth if the trajectory opens all rays of the tile to this depth. The culling drops only
@@ -31,9 +31,9 @@ TILE = 64
 # Number of pairs of a tile and a trajectory in one batch. The arrays of a larger batch would not fit into the
 # processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 PAIRS_AT_ONCE = 65536
-# Length, mm, by which a trajectory must reach deeper than the depth to which the tile is already open, to stay in the
-# tile's list. With a smaller length, rounding errors would keep trajectories that cut nothing. With a larger length,
-# trajectories that remove only a thin layer would be dropped.
+# A trajectory stays in a tile's list only if it reaches deeper, by more than this length, mm, than the tile is already
+# open. With a smaller length, trajectories that cut nothing would stay because of rounding errors. With a larger
+# length, trajectories that remove only a thin layer would be dropped.
 NOISE = 1e-8
 
 
@@ -89,8 +89,8 @@ class Removals(NamedTuple):
     Attributes
     ----------
     hit : (k,) int64
-        Positions of the intervals in a matrix, counted row by row. Each row is one of the pixels of a tile, and each
-        column is a pair of a tile and a trajectory.
+        Positions of the intervals in a matrix, counted row by row. Each row of the matrix is one of the pixels of a
+        tile, and each column is a pair of a tile and a trajectory.
     enter, leave : (k,) ndarray
         Ends of the intervals, clipped to the stock, mm. If `enter` is None, all intervals begin at the near end of
         their rays, and each interval ends deeper than all earlier intervals of its ray.
@@ -192,7 +192,7 @@ def small_tiles(trajectories: Trajectories, bounds: Bounds, region: Region) -> I
 def divided(
     trajectories: Trajectories, bounds: Bounds, tiles: Tiles, needed: Callable[[Tiles], Tiles] = lambda tiles: tiles
 ) -> Iterator[tuple[Tiles, int]]:
-    """Divide tiles, which can be anywhere in the image, and yield small tiles as `small_tiles` does.
+    """Divide the given tiles, which can be anywhere in the image, and yield small tiles as `small_tiles` does.
 
     Parameters
     ----------

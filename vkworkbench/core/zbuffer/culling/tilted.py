@@ -27,14 +27,14 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, before_in_group, begi
 from vkworkbench.core.zbuffer.sweeps.slots import ROUNDING
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
-# Largest absolute cosine of the view's tilt from the vertical at which depths are measured from a plane perpendicular
-# to the view. With a smaller limit, depths would be measured from a horizontal plane also in views nearly from the
-# side; the larger and the smaller tool would then differ so much from the original tool that the bounds exclude
-# nothing. With a larger limit, a level floor would have different depths on the rays of a tile in more views, so the
-# bounds would exclude less.
+# Depths are measured from a horizontal plane if the cosine of the angle between the view and the vertical is larger (in
+# absolute value) than this limit, and from a plane perpendicular to the view otherwise. With a smaller limit, depths
+# would be measured from a horizontal plane also in views nearly from the side; the enlarged and the reduced tool would
+# then differ so much from the original tool that no trajectory could be dropped. With a larger limit, a level floor
+# would have different depths on the rays of a tile in more views, so fewer trajectories could be dropped.
 _LEVEL = 0.3
-# Additional length by which the smaller tool is made smaller than the geometry requires, mm. With a smaller margin,
-# rounding would decide whether a ray that touches a surface is removed, so the smaller tool could remove too much. With
+# Length, mm, by which the reduced tool is made smaller in addition to the distance between rays. Without this margin,
+# rounding would decide whether a ray that touches a surface is removed, so the reduced tool could remove too much. With
 # a larger margin, fewer trajectories would be dropped.
 _LESS = 1e-6
 
@@ -76,9 +76,9 @@ class Tilted:
         pixels, item = tiles.side**2, tiles.item
         px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
         enter, leave = self.trajectories.intervals(px, py, item)
-        # A ray at the boundary of a swept area must be judged exactly as if it were cut alone, because both results
-        # depend on rounding errors; therefore `passing` is computed as for single rays. Most tiles are completely
-        # inside the swept area and are skipped here.
+        # Rounding errors decide whether a ray at the boundary of a swept area is inside. `passing` decides this for the
+        # tile's rays exactly as for a ray that is cut without tiles. Tiles whose corners are all inside the swept area,
+        # which are most tiles, need no decision.
         corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
         doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))
         passing = self.trajectories.passing(px[..., doubtful], py[..., doubtful], item[doubtful])
@@ -92,7 +92,7 @@ class _TileChords:
     """Lower and upper bounds of the depths at which the rays of a tile enter and leave the stock.
 
     Depths are measured from a plane that is horizontal or perpendicular to the view. `shear` is the change of the
-    plane's depth along the view per mm down the image; it is 0 for a plane perpendicular to the view.
+    plane's depth along the view for each mm down the image; it is 0 for a plane perpendicular to the view.
     """
 
     def __init__(self, stock: Solid, frame: Frame, shear: float) -> None:
@@ -131,19 +131,20 @@ class _Bound(Tool):
 
 
 class _Growth:
-    """The larger and the smaller tool that replace a given tool for the bounds of a tile."""
+    """The enlarged and the reduced tool that replace a tool when the bounds of a tile are computed."""
 
     def __init__(self, tool: Tool, level: bool, sine: float, cosine: float) -> None:
         self.tool, self.level, self.sine, self.cosine = tool, level, sine, cosine
         self.ball = tool.rounding == tool.radius
-        # For a bull-nose, the larger and the smaller tool are flat-end mills. Both flat-end mills are raised by
-        # ROUNDING, because `sweeps` lowers flat ends by this length, but not the flat part of a bull-nose.
+        # A bull-nose is replaced by flat-end mills, one enlarged and one reduced. Both flat-end mills are raised by
+        # ROUNDING, because `sweeps` lowers the end of a flat-end mill by this length, but not the flat part of a
+        # bull-nose.
         self.flat = ROUNDING if 0 < tool.rounding < tool.radius else 0.0
 
     def _offsets(self, reach: float) -> tuple[float, float]:
         """Return the largest distance of a tile's rays from the middle ray, horizontally and in space, mm.
 
-        In the image, the other rays are up to `reach` mm to each side of the middle ray.
+        In the image, the tile extends `reach` mm from its middle to each side.
         """
         if self.level:
             aside = reach * hypot(1, 1 / self.cosine)
@@ -151,7 +152,7 @@ class _Growth:
         return reach * hypot(1, self.cosine), reach * sqrt(2)
 
     def grown(self, reach: float) -> tuple[Tool, float]:
-        """Return the larger tool, and the height of its tip above the tip of the original tool, mm."""
+        """Return the enlarged tool, and the height of its tip above the tip of the original tool, mm."""
         aside, away = self._offsets(reach)
         tool = self.tool
         if self.ball:
@@ -162,7 +163,7 @@ class _Growth:
         return self._wider(aside), -lower
 
     def shrunk(self, reach: float) -> tuple[Tool | None, float]:
-        """Return the smaller tool (None if its size is 0), and the height of its tip above the original tip, mm."""
+        """Return the reduced tool (None if its size is 0), and the height of its tip above the original tip, mm."""
         aside, away = self._offsets(reach)
         tool = self.tool
         aside, away = aside + _LESS, away + (0 if self.level and not self.ball else _LESS)
@@ -173,7 +174,7 @@ class _Growth:
             return _Bound("endmill", diameter), self.flat + away
         if self.ball:
             return _Bound("ballend", diameter), away
-        # If no flat tip remains on the smaller cone, its apex is above the original tip.
+        # If the reduced cone has no flat tip, its apex is above the tip of the original cone.
         return self._wider(-aside), away + tool.steepness * max(aside - tool.tip, 0.0)
 
     def _wider(self, aside: float) -> Tool:
@@ -192,7 +193,7 @@ def _not_yet_open(
     near: np.ndarray,
     far: np.ndarray,
 ) -> np.ndarray:
-    """Return the pairs whose trajectory can remove material between the depths to which the tile's rays are open.
+    """Return the pairs of a tile and a trajectory that can remove material which earlier trajectories left in the tile.
 
     Parameters
     ----------
@@ -201,8 +202,8 @@ def _not_yet_open(
     enter, leave : (p,) ndarray
         Depths between which the pair's trajectory can cut rays of the tile, mm.
     all_enter, all_leave : (p,) ndarray
-        Depths between which the pair's trajectory opens all rays of the tile, mm. If ``all_enter > all_leave``, the
-        trajectory removes no depth from all rays.
+        Depths between which the pair's trajectory removes all material from all rays of the tile, mm. If ``all_enter >
+        all_leave``, there are no such depths.
     near, far : (t,) ndarray
         Smallest and largest depth of the stock in each tile, mm.
     """

@@ -94,8 +94,8 @@ class Upright:
         for tool, own in trajectories.by_tool(item):
             px, py = x[..., own], y[..., own]
             height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
-            # A ray at the boundary of a swept area must be judged exactly as if it were cut alone, because both results
-            # depend on rounding errors.
+            # Rounding errors decide whether a ray at the boundary of a swept area is inside. `passing` decides this for
+            # the tile's rays exactly as for a ray that is cut without tiles.
             at = np.flatnonzero((inner < _RIM_LENGTH) & (inner >= 0))
             if len(at):
                 rim = row, column, pair = np.unravel_index(at, inner.shape)
@@ -105,7 +105,7 @@ class Upright:
         return depth.reshape(-1, len(item))
 
     def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
-        """Group `item` by kind; yield each kind's tool, whether its moves are level, and its places in `item`."""
+        """Yield the tool of each kind in `item`, whether the moves are level, and the kind's positions in `item`."""
         return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
 
@@ -115,7 +115,7 @@ class Slopes:
     Attributes
     ----------
     slope, steepness, secant : (p,) ndarray
-        Per mm of the move in the xy plane: the signed rise, the absolute rise, and the length of the move in space.
+        Signed rise, absolute rise, and length in space, each per mm of the move's length in the xy plane.
     lean : (p,) ndarray
         Position along the move, relative to a point on the move's line, at which a ball of radius 1 is lowest above the
         point.
@@ -152,7 +152,7 @@ class Squares(NamedTuple):
 def _bounds_by_kind(
     kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], squares: Squares
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `bounds` for pairs of a square and a move with different tools, or with level moves and sloped moves."""
+    """Compute `bounds` separately for the pairs of each kind, which is a tool with level moves or with sloped moves."""
     if len(kinds) == 1:
         tool, _, slopes = kinds[0]
         return bounds(tool, slopes, squares)
@@ -212,10 +212,10 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
 def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> tuple[np.ndarray, np.ndarray]:
     """Compute `bounds` for a ball-end mill.
 
-    The swept volume of a ball is convex. Therefore the lower surface of the volume is highest, within the square, at a
+    The swept volume of a ball is convex. Therefore, within the square, the lower surface of the volume is highest at a
     corner of the square's outer side, which is the side farther from the line of the move. A lower bound of the
-    surface's height is its height at the inner side, computed for a move that is longer by the size of the square.
-    Square roots are NaN where the ball misses the square.
+    surface's height is its height at the opposite (inner) side, computed for a move that is longer by the size of the
+    square. The bounds are NaN where the ball misses the square.
     """
     along, aside, extent, half_run, depth = squares
     aside = np.abs(aside)
@@ -225,7 +225,7 @@ def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> t
     depth = depth - radius
 
     def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """Return the depths of the ball's surface where the squared half chord of the ball is `chord2`.
+        """Return the depths of the ball's surface where its chord along the move has the squared half length `chord2`.
 
         The ball's axis is between `begin` and `end` along the move; the function overwrites both arrays.
         """
@@ -278,8 +278,8 @@ def _deepest_reach(
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope = slopes.slope
-    # Heights are measured from the height of the move at the lower end of the square. The tool's axis is at most half a
-    # chord of the tool away from the square, and at most at the end of the move.
+    # Heights are measured from the height of the move's line at the end of the square where this line is lower. While
+    # the tool is above the square, its axis is on the move, and at most half a chord of the tool away from the square.
     half = _root(tool.radius**2 - inner2)
     reach = half_run - extent
     first = np.maximum(-along - reach, -half)
@@ -288,8 +288,8 @@ def _deepest_reach(
     last *= slope
     lowest = np.minimum(first, last, out=first)
     lowest += _profile(tool, nearest2)
-    # A second bound is the lowest height of the tool above the square if the move were endless. The second bound is
-    # closer to the exact height if the move is long.
+    # A second bound is the lowest height of the tool above the square on an endless move; for a long move, this bound
+    # is closer to the exact height.
     if tool.steepness == 0:
         endless = corner - _root(corner**2 - np.maximum(inner - flat, 0) ** 2) * slopes.secant
         endless -= slopes.steepness * flat
@@ -303,7 +303,7 @@ def _deepest_reach(
 
 
 def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarray, outer2: np.ndarray) -> np.ndarray:
-    """Return the depth, mm, relative to the middle of each sloped move, to which the move opens all rays of its square.
+    """Return the depth below the middle of each sloped move to which the move opens all rays of its square, mm.
 
     The result is valid only if the tool passes over the whole square. `outer` (p,) is the largest distance from the
     square to the line of the move, mm, and `outer2` (p,) is the squared distance, mm^2.
@@ -311,8 +311,9 @@ def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarr
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope, steepness = slopes.slope, slopes.steepness
-    # For each point, the tool is placed near the position on the move at which the tool is lowest above the point.
-    # Every position gives a valid bound; the position at which the tool is lowest gives the best bound.
+    # For each end of the square along the move, the tool is placed near the position on the move at which the tool is
+    # lowest above this end. Every position gives a valid bound; the position at which the tool is lowest gives the best
+    # bound.
     if tool.steepness == 0:
         ahead = _root(corner**2 - np.maximum(outer - flat, 0.0) ** 2)
         ahead *= steepness
@@ -323,7 +324,8 @@ def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarr
         ahead = np.maximum(steepness * outer / gentle, _root(tool.tip**2 - outer2))
         ahead = np.where(steepness < tool.steepness, ahead, np.inf)
         ahead = np.minimum(ahead, _root(tool.radius**2 - outer2))
-    # Shorten this distance slightly, so that rounding errors do not put the point outside the tool.
+    # Shorten `ahead`, the distance along the move from the point to the tool's axis, slightly, so that rounding errors
+    # do not put the point outside the tool.
     ahead *= 1 - 1e-9
     best = np.copysign(ahead, -slope, out=ahead)
     low, high = along - extent, along + extent
