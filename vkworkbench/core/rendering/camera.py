@@ -9,8 +9,8 @@ import numpy as np
 
 from vkworkbench.core.view import VERTICAL, Frame
 
-# Steepest elevation of the view that turning can reach, rad. In a vertical view, no direction of the part points up in
-# the image, so turning could not continue from there.
+# Steepest elevation of the view that turning can reach, rad. In a vertical view, the Z axis of the part does not point
+# up in the image, so turning could not continue from there.
 _STEEPEST = pi / 2 - 1e-3
 
 

@@ -19,8 +19,7 @@ from vkworkbench.core.rendering.shading import EMPTY, STEEPEST, shadow, slope
 from vkworkbench.core.rendering.thin_cuts import ThinCuts, thin_cuts
 from vkworkbench.core.zbuffer import STOCK, ZBuffer
 
-# Offsets along x and y from the cell of a wall to the cells around it. The direction of the wall is computed from the
-# heights of these cells.
+# Offsets along x and y from the cell of a wall to the surrounding cells whose heights give the direction of the wall.
 _AROUND = [(x, y) for x in range(-4, 5) for y in range(-4, 5) if 0 < x * x + y * y <= 17]
 
 
@@ -45,7 +44,7 @@ class Section(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """At most one column of material in each cell of the field; a border of empty cells surrounds the field.
+    """A field's layer, with at most one column of material in each cell; a border of empty cells surrounds the layer.
 
     Attributes
     ----------
@@ -98,7 +97,7 @@ class Layer:
 
     @cached_property
     def shadow(self) -> np.ndarray:
-        """Share of the light that reaches each top if higher material surrounds it, 0 to 1; 1 in empty cells."""
+        """Share of the light that reaches each top, less if higher material is around; 1 in empty cells."""
         result = shadow(np.maximum(self.top, self.extent[0]), self.cell)
         result[self.top <= EMPTY] = 1
         return result
@@ -238,18 +237,18 @@ class Field:
 
 
 def _columns_of_part(zbuffer: ZBuffer) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Yield near ends, far ends and trajectories of the first columns of all rays, then of the second, and so on."""
+    """Yield near ends, far ends and trajectories of all rays' first columns, then of the second columns, and so on."""
     picture, records = zbuffer.picture, zbuffer.records
     if not records.has_gaps:
         yield picture.depth, np.where(np.isnan(picture.depth), np.float32(np.nan), records.ends), picture.owner
         return
     dexels = zbuffer.dexel_records
     pixel = dexels["pixel"].astype(np.int64)
-    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # position of each dexel among the dexels of its ray
+    order = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)  # number of each dexel on its ray, from 0
     for number in range(int(order.max(initial=0)) + 1):
         own = order == number
         near, far = np.full((2, len(picture.depth)), np.nan, np.float32)
         near[pixel[own]], far[pixel[own]] = dexels["near"][own], dexels["far"][own]
-        # Only the first column on a ray can have been cut, because tools remove material from the top.
+        # Only the highest column of a ray can have been cut, because tools remove material from the top.
         cut = near == picture.depth
         yield near, far, np.where(cut, picture.owner, np.int32(STOCK))

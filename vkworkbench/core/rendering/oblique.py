@@ -20,9 +20,10 @@ from vkworkbench.core.rendering.field import Layer
 from vkworkbench.core.rendering.shading import EMPTY
 from vkworkbench.core.view import Frame
 
-# If the sine of the elevation angle is smaller, tops are invisible. If its cosine is smaller, walls are invisible.
+# The tops of columns are invisible if the sine of the view's elevation angle is smaller than this limit. The walls of
+# columns are invisible if the cosine of the elevation angle is smaller.
 _LEVEL = 1e-6
-_FRACTION = 16  # number of bits after the point in fixed-point positions of cells
+_FRACTION = 16  # number of binary digits after the point in fixed-point positions of cells
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +92,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     back = tops[turned.cell]
     back *= scale
     back += turned.rise[:, None] + np.float32(turned.step * sine / frame.pixel)
-    row = np.arange(0.5, frame.height, dtype=np.float32)[:, None]  # centres of the rows, in pixels from the lower edge
+    row = np.arange(0.5, frame.height, dtype=np.float32)[:, None]  # centres of the pixel rows above the lower edge
     if layer.is_even or cosine < _LEVEL:
         step = _first_above(back, frame.height)
     else:
@@ -105,7 +106,8 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     solid &= lower * scale + rise <= row
     is_wall = top * scale + rise > row
     row -= np.float32(frame.height / 2)
-    # The divisor is nearly 0 only for tops in horizontal views and for walls in vertical views, which are invisible.
+    # The sine or cosine is nearly 0 only for tops in horizontal views and for walls in vertical views, which are
+    # invisible.
     top += np.float32(turned.lift)
     top *= np.float32(-1 / max(sine, _LEVEL))
     top += row * np.float32(frame.pixel * cosine / max(sine, _LEVEL))
@@ -119,7 +121,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     of_walls *= np.float32(1 / max(cosine, _LEVEL))
     depth[number] = of_walls
     front = cells[np.maximum(step - 1, 0) * width + of_column]
-    front[step == 0] = 0  # a border cell, because nothing is in front of the first cell
+    front[step == 0] = 0  # an empty cell of the border, because there is no cell in front of the first cell
     walls = Walls(number, cell[number], front,
                   height * np.float32(cosine) - of_walls * np.float32(sine) - np.float32(turned.lift))  # fmt: skip
     return Seen(pixel, cell, depth, walls)
@@ -151,7 +153,7 @@ class _Turned:
         half = np.array([of_layer.width, of_layer.height]) * of_layer.pixel / 2
         middle, reach = float(from_centre[:2] @ away), float(np.abs(away) @ half)
         nearest, farthest = middle - reach, middle + reach
-        if sine > _LEVEL:  # keep only cells that the image can show
+        if sine > _LEVEL:  # keep only the range of distances in which cells can appear in the image
             low, high = (lift + height for height in layer.extent)
             edge = frame.height * frame.pixel / 2
             nearest = max(nearest, (-edge - high * cosine) / sine)
@@ -177,7 +179,7 @@ class _Turned:
 
 
 def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, count: int) -> np.ndarray:
-    """Return the layer's row or column at each sum of two coordinates, mm, (len(along), len(across)) int32."""
+    """Return the layer's row or column at the sum of each pair of coordinates, mm, (len(along), len(across)) int32."""
     one = 1 << _FRACTION
     fixed = [np.rint(part / cell * one).astype(np.int64) for part in (along, across + offset + cell)]
     limit = 1 << 29
@@ -208,8 +210,8 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered *= np.int32(width)
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
-    # If several steps have the same horizon before them, only the last of them raises the horizon. This step is
-    # assigned last, so it is kept.
+    # Several successive steps can begin with the same horizon. Only the last of these steps raises the horizon. Numpy
+    # assigns the last of these steps last, so `found` keeps this step.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)
@@ -232,7 +234,8 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
     low, back = low.ravel(), back.ravel()
     index = (first * np.int64(width) + np.arange(width)).ravel()
     pending = np.flatnonzero((low[index] > row) | (back[index] < row))
-    # Some rays pass below one column of material and above another. For these rays, the search continues step by step.
+    # A ray can pass below one column of material and above another, so that it sees neither. For these rays, the search
+    # continues with the next step.
     last = (steps - 1) * width
     for _ in range(steps):
         pending = pending[index[pending] < last]

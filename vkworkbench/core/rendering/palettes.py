@@ -13,17 +13,18 @@ GOUGED = np.array([(244, 166, 154), (214, 39, 40), (120, 0, 20)], np.uint8)
 LEFT = np.array([(158, 202, 241), (49, 110, 214), (10, 30, 120)], np.uint8)
 # MET: colour of surfaces within the tolerance. NO_MODEL: colour of pixels that do not show the model.
 MET, NO_MODEL = (214, 219, 208), (150, 146, 138)
-# Smallest deviation with the darkest colour, as a multiple of the tolerance.
+# Deviations of at least this multiple of the tolerance get the darkest colour.
 DEEPEST = 10.0
 
-# Equally spaced colours of the scale, from the smallest to the largest number. The colours are samples of viridis (van
-# der Walt and Smith 2015). Each colour is brighter than the one before, so the scale is readable without colour vision.
+# Colours of the scale at equal distances, from the smallest to the largest number. The colours are samples of viridis
+# (van der Walt and Smith 2015). Each colour is brighter than the one before, so the scale is readable without colour
+# vision.
 SCALE = np.array(
     [(68, 1, 84), (72, 40, 120), (62, 74, 137), (49, 104, 142), (38, 130, 142), (31, 158, 137), (53, 183, 121),
      (110, 206, 88), (181, 222, 43), (253, 231, 37)], np.uint8,
 )  # fmt: skip
-# Difference between successive hues, as a share of the colour wheel. With the golden section, even many hues differ
-# clearly.
+# Difference between the hues of successive operations, as a share of the colour wheel. With the golden section, even
+# many hues differ clearly from each other.
 _GOLDEN = 0.618033988749895
 
 
@@ -61,7 +62,7 @@ def colors_of(owner: np.ndarray, palette: np.ndarray) -> np.ndarray:
 
 def distinct_colors(count: int) -> np.ndarray:
     """Return `count` colours, (count, 3) uint8. Successive colours are clearly different."""
-    hues = 0.58 + _GOLDEN * np.arange(count)  # as shares of the colour wheel
+    hues = 0.58 + _GOLDEN * np.arange(count)  # hues as shares of the colour wheel
     colors = [[round(255 * part) for part in colorsys.hls_to_rgb(hue, 0.6, 0.55)] for hue in hues]
     return np.array(colors, np.uint8).reshape(-1, 3)
 

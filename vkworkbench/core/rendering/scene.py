@@ -24,12 +24,13 @@ SECTION, CUT_OPEN = np.array((206, 128, 96), np.uint8), -2
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
 # Difference in depth between neighbouring pixels above which a dark edge is drawn, as a multiple of a pixel's side.
-# Lower: steep slopes get dark edges. Higher: small steps of the part get no edge.
+# With a smaller value, steep slopes get dark edges. With a larger value, small steps of the part get no edges.
 _JUMP = 8.0
-# Brightness of the lines that are drawn for cuts narrower than the cells.
+# Brightness of the lines that are drawn for cuts narrower than the cells of the field.
 _THIN = 0.65
-# Lower limit for the sine of the view's elevation, by which a tolerance is divided when the depth of a narrow cut is
-# compared with the visible surface.
+# A narrow cut is drawn if it is deeper than the visible surface by less than an allowed difference, which grows as the
+# view becomes more horizontal. The difference is divided by the sine of the view's elevation, but at least by this
+# number.
 _FLATTEST = 0.1
 
 
@@ -44,7 +45,7 @@ class Scene:
     pixels : (height, width) uint32
         Colours as 0xffRRGGBB, row 0 at the top.
     find_owner : callable
-        Function that computes `owner`.
+        Function that computes the attribute `owner` at its first use.
     """
 
     depth: np.ndarray
@@ -159,8 +160,8 @@ def _draw_thin_cuts(
     column, row = np.floor(column).astype(np.int64), frame.height - 1 - np.floor(row).astype(np.int64)
     inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
     column, row, away, owner = (part[inside] for part in (column, row, away, thin.owner))
-    # The depth of a pixel belongs to the surface at its centre, which can be beside the point of the cut. Therefore the
-    # point is drawn as visible up to this difference in depth.
+    # The depth of a pixel is the depth of the surface at the pixel's centre, which can be beside the point of the
+    # narrow cut. Therefore the point is drawn if it is at most this much deeper than the pixel's depth.
     beside = (frame.pixel + field.frame.pixel) / max(-float(frame.direction[2]), _FLATTEST)
     seen = away < depth[row, column] + beside
     column, row, owner = column[seen], row[seen], owner[seen]
@@ -225,7 +226,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
     brightness = _light_tops(layer, seen.cell, towards)
     walls, steep = seen.walls, []
     if not layer.is_even:
-        # If a pixel looks under the lower end of the column in front, it sees the lower face of the column behind.
+        # A pixel whose ray passes below the front column meets the lower face of the column behind.
         below_front = walls.height < layer.bottom.ravel()[walls.front]
         below_front &= layer.top.ravel()[walls.front] > EMPTY
         lower, towards_lower = walls.chosen(below_front), towards * (1, 1, -1)
@@ -244,7 +245,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
     number = owner + np.int64(1)
     if colors.ndim == 3 and layer.is_part and not below:
         number, colors = seen.cell, _in_border(colors)
-    elif colors.ndim == 3 or len(colors) == 2:  # the same colour for all trajectories
+    elif colors.ndim == 3 or len(colors) == 2:  # the field or the caller gives one colour for all trajectories
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
     color = _packed(colors, BRIGHTEST)[number]
@@ -269,7 +270,7 @@ def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, 
     top, shadow = layer.top.ravel(), layer.shadow.ravel()
     steep = walls.chosen(top[walls.cell] - top[walls.front] > STEEPEST * layer.cell)
     x, y = layer.wall_normals(steep.cell)
-    lone = (x == 0) & (y == 0)  # walls without a direction are lit as if they faced the viewer
+    lone = (x == 0) & (y == 0)  # walls that face several directions are lit as if they faced the viewer
     x[lone], y[lone] = frame.right[1], -frame.right[0]
     lit = light((x, y, np.zeros(1, np.float32)), towards)
     brightness[steep.number] = lit * np.sqrt(shadow[steep.front] * shadow[steep.cell])

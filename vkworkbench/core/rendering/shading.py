@@ -13,17 +13,17 @@ _AMBIENT = np.float32(0.38)
 # Brightness of a surface that faces the light. A surface that faces the viewer has the brightness 1.
 BRIGHTEST = float(_AMBIENT + (1 - _AMBIENT) * np.linalg.norm(LIGHT) / LIGHT[2])
 # EMPTY: height of the top of an empty cell, mm. The height is finite, because vertical views multiply it by 0.
-# _TO_NOTHING: slope between two neighbouring cells above which one of the cells is empty.
+# _TO_NOTHING: a slope above this value means that one of the two neighbouring cells is empty.
 EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
 # Slope above which a surface is drawn as a vertical wall.
 STEEPEST = np.float32(3.0)
-# Soft shadow in pockets. _SHADOW: share of the light that the deepest pockets lose. _SHADOW_REACH: radius of the
-# surroundings with which a height is compared, as a share of the field's shorter side. _SHADOW_CELLS: spacing of the
-# heights that are sampled, in cells.
+# Pockets are drawn with a soft shadow. _SHADOW: share of the light that the deepest pockets lose. _SHADOW_REACH: a
+# height is compared with the mean height within this radius, a share of the field's shorter side. _SHADOW_CELLS:
+# distance between the heights that are sampled for this mean, in cells.
 _SHADOW, _SHADOW_REACH, _SHADOW_CELLS = np.float32(0.45), 0.02, 2
-# _CREASE: change of slope between neighbouring pixels above which a dark line is drawn. At twice this change, the line
-# is darkest, and loses the share _DARKEST of its light. Lower: the scallops of a finished surface get dark lines.
-# Higher: the steps of roughing get no lines.
+# _CREASE: change of slope between neighbouring pixels above which a dark line is drawn along the bend. At twice this
+# change, the line is darkest, and loses the share _DARKEST of its light. With a smaller _CREASE, the scallops of a
+# finished surface get dark lines. With a larger _CREASE, the steps of roughing get no lines.
 _CREASE = np.float32(1.2)
 _DARKEST = np.float32(0.45)
 # Share of the light that a near surface loses along its edge in front of a far surface.

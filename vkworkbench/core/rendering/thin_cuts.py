@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the points of a part at which a cut is so narrow that it passes between the rays of the simulation.
 
-Engravings of a large part are so narrow. Only a few rays meet an engraving, so a picture of the columns of material
-would show the engraving as dots.
+Engravings of a large part are examples of narrow cuts. Only a few rays meet an engraving, so a picture of the columns
+of material would show the engraving as dots.
 """
 
 from __future__ import annotations
@@ -16,9 +16,10 @@ from vkworkbench.core.zbuffer import Cuts, ZBuffer
 
 # _STEP: distance between neighbouring sampled points of a path, in cells. _MOST: largest number of sampled points.
 _STEP, _MOST = 0.5, 1_000_000
-# Upper limit for the radius of a tool that can pass between four neighbouring rays, in cells.
+# Tools with a radius below this limit, in cells, are narrow: they can pass between four neighbouring rays.
 _NARROW = 0.71
-# Number of points before and after an uncut ray that are also shown, although their own rays were cut by chance.
+# Number of sampled points before and after an uncut ray that are also drawn, although their own rays happened to be
+# cut.
 _BESIDE = 2
 # Difference between two heights, mm, above which the difference is not a rounding error.
 _NOISE = 1e-3
@@ -75,7 +76,7 @@ def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
     for step in range(1, _BESIDE + 1):
         shown[step:] |= uncut[:-step]
         shown[:-step] |= uncut[step:]
-    shown &= surface > points[:, 2] - _NOISE  # otherwise another cut removed the material around the narrow cut
+    shown &= surface > points[:, 2] - _NOISE  # otherwise another cut removed the material above the narrow cut's floor
     return ThinCuts(np.column_stack((points[shown, :2], surface[shown])), owner[shown])
 
 

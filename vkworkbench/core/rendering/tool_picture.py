@@ -112,7 +112,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
     depths: list[np.ndarray] = []
     if one.height == other.height:
         slope, bounds = np.inf, sorted((one.radius, other.radius))
-        if direction[2]:  # if the direction is horizontal, the disc is seen edge-on
+        if direction[2]:  # rays perpendicular to the axis see the disc edge-on
             depths = [(one.height - origin[:, 2]) / direction[2]]
     else:
         slope, bounds = (other.radius - one.radius) / (other.height - one.height), sorted((one.height, other.height))
@@ -120,7 +120,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
         a = direction[:2] @ direction[:2] - (slope * direction[2]) ** 2
         b = origin[:, :2] @ direction[:2] - slope * direction[2] * radius
         c = (origin[:, :2] ** 2).sum(axis=1) - radius**2
-        if a:  # if a is 0, the rays are parallel to the surface
+        if a:  # if a is 0, the rays are parallel to a straight line on the surface
             root = np.sqrt(np.where(b * b < a * c, np.nan, b * b - a * c))
             depths = [(-b - root) / a, (-b + root) / a]
     best = np.full(len(column), np.inf)

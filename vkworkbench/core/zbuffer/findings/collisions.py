@@ -9,8 +9,8 @@ thin layer of the wall on all its rays.
 
 If the body moves before its tool, the simulation finds every collision, but also false collisions with material that
 the tool removes in the same move before the body arrives. Therefore the moves with such collisions are simulated again,
-divided into parts, and in each part the body moves after the tool. A piece that the body still removes is a real
-collision.
+divided into parts, and in each part the body moves after the tool. A piece that the body removes in this simulation,
+too, is a real collision.
 """
 
 from __future__ import annotations
@@ -43,17 +43,18 @@ _NARROWEST_HOLDER = 1.5
 # Largest height, mm, by which the tool descends in one part of a sloped move. Sloped moves are divided into such parts
 # to find cuts deeper than the flutes.
 _FALL = 0.5
-# Moves with different results in the first two simulations are divided into parts. _SHARE: length of one part, as a
-# share of the difference between the radii of body and tool. _MOST_PARTS: largest number of parts of one move.
+# The first simulation moves bodies before their tools, the second simulation after them. Moves in which only the first
+# simulation finds a collision are divided into parts and simulated again. _SHARE: length of one part, as a share of the
+# difference between the radii of body (shank or holder) and tool. _MOST_PARTS: largest number of parts of one move.
 # _PARTS_TOGETHER: largest number of parts of all moves together.
 _SHARE, _MOST_PARTS, _PARTS_TOGETHER = 0.5, 1000, 200_000
 # Angle between the rows of rays and the X axis, rad. Few walls are parallel to this direction.
 _TURN = 0.3
-# _RAYS: minimum number of rays in the rectangle around all moves of the bodies. _ACROSS: minimum number of rays on the
-# length of a body's radius.
+# _RAYS: minimum number of rays in the rectangle that the shanks or holders pass over. _ACROSS: minimum number of rays
+# along a radius of the shank or holder.
 _RAYS, _ACROSS = 150_000, 4.0
-# Minimum number of rays in the ring between the outlines of tool and body, seen from above. With fewer rays, the check
-# misses walls that the body only scrapes.
+# Minimum number of rays in the ring between the outlines of the tool and of its shank or holder, seen from above. With
+# fewer rays, the check misses walls that the shank or holder only scrapes.
 _IN_RING = 12.0
 # Smallest distance between rays, mm.
 _CLOSEST = 2.0**-7
@@ -115,7 +116,8 @@ class Collisions:
     found : tuple of Collision
         All collisions, sorted by their first colliding trajectory.
     pixel : float
-        Largest distance between neighbouring rays of the check, mm; 0 if no body is ever as low as the material.
+        Largest distance between neighbouring rays of the check, mm; 0 if no shank or holder is ever below the top of
+        the material.
     shanks, holders : tuple of bool
         For each cut, whether the size of the tool's shank is known, and whether the size of its holder is known.
     clamps : int
@@ -209,7 +211,7 @@ def _margin(toolpath: Toolpath) -> float:
 def _body_of(cut: Cut, body: str) -> Body | None:
     """Return a part of a cut's tool, made smaller by the margin for touching.
 
-    The result is None if the size of this part is unknown, or if the part is not wider than the tool.
+    Return a part of a cut's tool, made smaller so that touching a wall is not a collision.
     """
     tool, margin = cut.tool, _margin(cut.toolpath)
     width, above = _width(tool, body), tool.cutting_edge_height if body in (FLUTES, SHANK) else tool.length
@@ -254,9 +256,9 @@ class _Search:
     def _of_wider(
         self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, pixels: np.ndarray
     ) -> _Removed:
-        """Return the pieces of rays that bodies meet before the tools have removed these pieces.
+        """Return the pieces of rays that meet a shank or holder, because the tool has not removed them before.
 
-        The bodies are wider than their tools.
+        The shanks and holders are wider than their tools.
         """
         removed = self._removed(alternate(cuts, bodies, low, body_first=True), stock, pixels)
         candidates = removed.is_by(len(cuts))
@@ -293,9 +295,10 @@ class _Search:
     def _removed(
         self, alternation: Alternation, solid: Solid, pixels: np.ndarray, of: np.ndarray | None = None
     ) -> _Removed:
-        """Return the pieces of rays through a solid that bodies remove.
+        """Return the pieces that the bodies in an alternation remove from rays through the solid.
 
-        With a mask `of` (n,) bool, return the pieces that the tools remove in the selected trajectories instead.
+        With a mask `of` (n,) bool of the job's trajectories, return the pieces that the tools remove in these
+        trajectories instead.
         """
         chosen = np.flatnonzero(alternation.of_body if of is None else of[alternation.trajectory])
         moves = alternation.moves
@@ -342,7 +345,7 @@ def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: S
 
 
 def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
-    """Return an alternation in which each body moves before its tool.
+    """Return the sequence of moves in which each body moves before its tool.
 
     Sloped moves are divided into parts, because during each part the body is raised by the height that the tool
     descends in this part.
@@ -380,14 +383,14 @@ class _Removed:
 
     @classmethod
     def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
-        """Convert removed pieces, each removed by a simulated move, to pieces with trajectories of the job.
+        """Convert pieces removed by moves of a simulation to pieces removed by trajectories of the job.
 
-        The pieces are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each simulated move
-        was made.
+        The pieces are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each move of the
+        simulation was made.
         """
         every = np.arange(len(pieces.owner))
-        # If a body has removed the pieces directly above a piece, these pieces are colliding material, too. Therefore
-        # the height is measured from the top of the highest of these pieces.
+        # A body can have removed several pieces of a ray that lie directly below each other. All these pieces are
+        # colliding material, so the height is measured from the top of the highest piece.
         begins = np.ones(len(every), bool)
         begins[1:] = (
             (np.diff(pieces.x) != 0) | (np.diff(pieces.y) != 0) | (pieces.near[1:] > pieces.far[:-1] + THINNEST)
@@ -398,19 +401,19 @@ class _Removed:
 
     @classmethod
     def joined(cls, parts: Sequence[_Removed]) -> _Removed:
-        """Join several sets of pieces."""
+        """Join several sets of removed pieces of rays."""
         nothing = cls(np.empty(0, np.int64), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
         columns = zip(*((one.trajectory, one.lower, one.upper, one.height) for one in (nothing, *parts)))
         return cls(*map(np.concatenate, columns))
 
     def is_by(self, trajectories: int) -> np.ndarray:
-        """Return whether each trajectory removes a piece, (trajectories,) bool."""
+        """Return whether each trajectory removes a piece of a ray, (trajectories,) bool."""
         found = np.zeros(trajectories, bool)
         found[self.trajectory] = True
         return found
 
     def within_holders(self, cuts: Cuts, bodies: Sequence[Body | None]) -> _Removed:
-        """Return the pieces whose lower ends are below the upper ends of the holders."""
+        """Return the pieces of rays whose lower ends are below the upper ends of the holders."""
         ends = [cut.tool.holder_length or np.inf for cut in cuts.cuts]
         tops = np.array([body.bottom + end if body else np.inf for body, end in zip(bodies, ends)])
         tip = np.minimum(*(points[:, 2] for points in cuts.ends))

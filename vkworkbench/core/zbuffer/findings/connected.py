@@ -13,7 +13,7 @@ def connected_cells(row: np.ndarray, column: np.ndarray) -> np.ndarray:
     """
     if not len(row):
         return np.empty(0, np.int64)
-    width = int(np.ptp(column)) + 3  # empty columns keep the end of a row away from the next row
+    width = int(np.ptp(column)) + 3  # empty columns separate the end of a row from the start of the next row
     cells, cell = np.unique((row - row.min()) * width + column - column.min() + 1, return_inverse=True)
     first = np.flatnonzero(np.diff(cells, prepend=cells[0] - 2) > 1)  # first cell of each run of cells in a row
     length = np.diff(first, append=len(cells))

@@ -110,7 +110,8 @@ class _Check:
         start, end = cuts.ends
         met = passes_over(start, end, np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut], stock)
         depth = stock.upper[2] - np.minimum(start[:, 2], end[:, 2])
-        # A tool that moves straight up from the end of its previous move stays in the hole that the previous move cut.
+        # A rapid straight up from the end of the previous move stays in the hole that this move cut, so it needs no
+        # check.
         up = (np.hypot(*(end - start)[:, :2].T) < SMALLEST) & (end[:, 2] >= start[:, 2])
         up[cuts.first[:-1][np.diff(cuts.first) > 0]] = False
         rapid = cuts.rapid & ~up & (depth > touching(cuts)[1]) if len(cuts) else cuts.rapid

@@ -21,7 +21,7 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Source
 TOLERANCE = 0.1
 
 # Pixels that deviate from the model are grouped by square tiles; pixels in the same tile or in neighbouring tiles
-# belong to one place. `_APART` is the side of a tile, as a share of the image's shorter side.
+# belong to one place. `_APART` is the side of a square tile, as a share of the image's shorter side.
 _APART = 0.02
 # Number of tiles along the image's longer side, for grouping the pixels of a gouge. With fewer tiles, separate gouges
 # close to each other are reported as one gouge. With more tiles, one gouge whose pixels have gaps is reported as
@@ -31,13 +31,14 @@ _TILES = 500
 
 @dataclass(frozen=True)
 class Deviation:
-    """A gouge or leftover material, described by its worst place in one cut or in one group of connected pixels.
+    """A gouge or leftover material in one cut or in one group of connected pixels, described by its worst place.
 
     Attributes
     ----------
     trajectory : int or None
         For leftover material, the trajectory that cut the part's surface at `place`. For a gouge of a cut, the first
-        trajectory that removed material at the model's surface. None if the surface belongs to the uncut stock.
+        trajectory that removed material at the model's surface. The trajectory is None if the part's surface at `place`
+        belongs to the uncut stock.
     source : Source or None
         Cut and command of the trajectory.
     place : (3,) tuple of float
@@ -147,7 +148,7 @@ class _Gap(NamedTuple):
     """The gap between a front surface and a rear surface of an image.
 
     `along` (pixels,) is the distance from the front surface `front` to the rear surface `behind` along the view, mm, at
-    least 0. `model` is None for leftover material.
+    least 0. `model` is None if the deviation is leftover material.
     """
 
     front: np.ndarray
@@ -172,7 +173,7 @@ def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) ->
     places: list[Deviation] = []
     least = tolerance
     for number in sorted(range(len(groups)), key=lambda number: -worst[number]):
-        # The distance between the two surfaces in space is never larger than their distance along the view, so the
+        # The groups are sorted by their largest distance along the view. The distance in space is never larger, so the
         # remaining groups cannot contain a worse place.
         if worst[number] <= least:
             break
@@ -199,9 +200,9 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
     pixels, model = np.flatnonzero(gap.along > tolerance), gap.model
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
-    # The material slightly deeper than the model's surface is examined. The additional depth is the tolerance, because
-    # removals within the tolerance are allowed, but at most a pixel, because near an edge the model can be thin along
-    # the ray.
+    # The removing trajectory is searched for slightly below the model's surface. The additional depth is the tolerance,
+    # because removals within the tolerance are allowed. It is at most a pixel, because near an edge the model can be
+    # thin along the ray.
     depth = model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel)
     maker = _find_removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
     cut = _cuts_of(zbuffer, maker)
@@ -211,8 +212,9 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
         image.ravel()[pixels] = cut
         return around(image, extreme).ravel()[pixels]
 
-    # At an edge or a wall of the model, the ray of a pixel can miss the model and attribute the gouge to a wrong cut.
-    # Therefore a pixel is used only if the gouges of all its deviating neighbours are attributed to the same cut.
+    # At an edge or a wall of the model, a pixel's ray can miss the model, so that the gouge would be attributed to a
+    # wrong cut. Therefore a pixel is used only if the gouges of all its deviating neighbours are attributed to the same
+    # cut.
     sure = extreme_cut_around(np.minimum, len(zbuffer.cuts.cuts)) == extreme_cut_around(np.maximum, -1)
     return pixels[sure], maker[sure]
 

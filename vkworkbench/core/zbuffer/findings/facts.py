@@ -8,7 +8,8 @@ import numpy as np
 from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Smallest cosine of the view's tilt from the vertical at which depth and width of cut are computed.
+# Depth and width of cut are computed only in views in which the cosine of the angle to the vertical is at least this
+# value; in other views, which are from the side, they are 0.
 _FROM_THE_SIDE = 0.3
 
 
@@ -18,7 +19,7 @@ def removed_volumes(zbuffer: ZBuffer) -> np.ndarray:
     Parameters
     ----------
     zbuffer : ZBuffer
-        The finished simulation, or any moment of it; the volumes are always those of the whole simulation.
+        The finished simulation, or any moment of it. The volumes are always the volumes of the whole simulation.
 
     Returns
     -------
@@ -34,7 +35,7 @@ def removal_rates(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarr
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes. Without them, the volumes are computed from the image.
+        Measured volumes. Without measured volumes, the volumes are computed from the image.
 
     Returns
     -------
@@ -68,7 +69,7 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
         volumes = np.maximum(volumes, measured.each)
     length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, volumes))
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
-    # A rapid, and the first trajectory of a cut, begin a new stretch.
+    # A rapid begins a new stretch of joined moves, and so does the first trajectory of a cut.
     begins = cuts.rapid.copy()
     begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
     group = np.cumsum(begins)
@@ -86,7 +87,7 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes and depths. Without them, volumes and depths are computed from the image.
+        Measured volumes and depths. Without `measured`, volumes and depths are computed from the image.
 
     Returns
     -------
@@ -129,7 +130,7 @@ def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes and depths. Without them, volumes and depths are computed from the image.
+        Measured volumes and depths. Without `measured`, volumes and depths are computed from the image.
 
     Returns
     -------

@@ -17,19 +17,19 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import as_cut
 
-# _PLUNGE: slope (descent divided by horizontal length) above which a downward move is a plunge. _FULL: share of the
-# volume displaced by the tool that a plunge must remove to count as a plunge into full material.
+# _PLUNGE: slope (descent divided by horizontal length) above which a downward move is a plunge. _FULL: a plunge is into
+# full material if it removes more than this share of the volume that the tool displaces.
 _PLUNGE, _FULL = 5.0, 0.5
 # Largest allowed ratio of a plunge's feed to the vertical feed. The ratio is slightly above 1, because FreeCAD rounds
 # feeds.
 _FASTER = 1.01
 # _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash.
 # Rounded coordinates and the chords that replace arcs leave material up to about this thickness. The largest distance
-# between an arc and its chord is the arc's rise; the limit is at least `_OF_RISE` times the rise.
+# between an arc and its chord is the arc's rise; the horizontal depth is at least `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
-# Height, mm, of material above the tool's lower surface up to which the material counts as a rounding error. For arcs
-# in vertical planes, the limit is at least `_OF_RISE` times the rise.
+# Material up to this height, mm, above the tool's lower surface counts as a rounding error. If there are arcs in
+# vertical planes, the height is at least `_OF_RISE` times their vertical rise.
 _ROUNDED = 1e-3
 _PIECES_AT_ONCE = 1 << 14
 # Number of concentric rings with equal widths into which a tool is divided to compute its volume.
@@ -83,7 +83,7 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
     Parameters
     ----------
     pieces : RemovedPieces
-        Pieces that rapids remove; pieces of other moves must not be included.
+        Pieces of rays that rapids remove, without pieces that other moves remove.
     volumes : (n,) ndarray
         Volume that each trajectory removes, mm^3.
     """
@@ -91,9 +91,9 @@ def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> lis
         return []
     owner, middle, length = pieces.owner, (pieces.near + pieces.far) / 2, pieces.far - pieces.near
     touches = touching(cuts)
-    # The longest pieces are examined first. A rapid that only touches a wall can also remove long pieces, as high as
-    # the wall. Therefore the pieces of each rapid are examined until one piece is inside the rapid's swept volume by
-    # more than the margin.
+    # The longest pieces that each rapid removes are examined first. A rapid that only touches a wall can also remove
+    # long pieces, as high as the wall. Therefore the pieces of each rapid are examined until one piece is inside the
+    # rapid's swept volume by more than the depth that counts as touching.
     order = np.argsort(-length, kind="stable")
     longest = np.full(len(cuts), -1)
     for first in range(0, len(order), _PIECES_AT_ONCE):
@@ -132,7 +132,7 @@ def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.
     for number in np.unique(cuts.cut[trajectory]):
         tool = cuts.cuts[number].tool
         aside = min(touches[0], tool.radius / 2)
-        for angle in _SIDES:  # angle between the move and the shift of the points
+        for angle in _SIDES:  # angle between the move and the direction in which the points are shifted
             own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
             x = x + aside * (cos(angle) * ux - sin(angle) * uy)
@@ -147,8 +147,9 @@ def _rises(toolpath: Toolpath) -> tuple[float, float]:
     chords = np.abs(np.diff(toolpath.points, axis=0))
     upright = toolpath.plane != 17
     run = np.hypot(*chords[:, :2].T)
-    # An arc rises perpendicular to its chord. In a vertical plane, the horizontal rise grows with the chord's height,
-    # and the vertical rise grows with the chord's horizontal length.
+    # The largest distance between an arc and its chord (the rise) is perpendicular to the chord. For an arc in a
+    # vertical plane, the horizontal rise grows with the chord's height, and the vertical rise grows with the chord's
+    # horizontal length.
     aside, up = (
         np.where(upright, (chords[:, 2], run), (run, np.zeros_like(run))) / 2 * np.tan(np.abs(toolpath.sweep) / 4)
     )
@@ -206,7 +207,7 @@ def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> lis
     `plunges` (k,) are the trajectories of all fast plunges, and `pieces` are the pieces that these plunges remove.
     """
     start, end = (ends[plunges] for ends in cuts.ends)
-    # Depth of the plunge's end below the highest removed point, but at most the height of the plunge.
+    # Depth of the plunge's end below the highest point that the plunge removes, but at most the height of the plunge.
     depth = np.minimum(pieces.tops(len(cuts))[plunges], start[:, 2]) - end[:, 2]
     displaced = np.empty(len(plunges))
     of_cut = cuts.cut[plunges]
@@ -228,7 +229,7 @@ def _vertical_feeds(cuts: Cuts) -> np.ndarray:
 
 
 def _displaced_volume(tool: Tool, depth: np.ndarray) -> np.ndarray:
-    """Return the volume of the lowest part of a tool, up to each height `depth` above the tip, mm^3."""
+    """Return the volume of a tool from its tip to each height `depth` above the tip, mm^3."""
     width = tool.radius / _RINGS
     volume = np.zeros_like(depth)
     for radius in (np.arange(_RINGS) + 0.5) * width:

@@ -25,11 +25,11 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Number of rays across the width of a tool at the height of the stock's top.
 RAYS_ACROSS = 8
-# _TOGETHER: total length of the moves in one batch, as a multiple of the tools' half widths. _MOVES: largest number of
-# moves in one batch. With larger batches, a check exceeds its time limit by more, because the time is compared only
-# between batches. With smaller batches, a check takes longer in total.
+# _TOGETHER: largest total length of the moves in one batch, as a multiple of the tools' half widths. _MOVES: largest
+# number of moves in one batch. With larger batches, a check exceeds its time limit by more, because the elapsed time is
+# checked only between batches. With smaller batches, a check takes longer in total.
 _TOGETHER, _MOVES = 4000.0, 256
-_BLOCKS = 16  # number of batches of small tiles whose pieces are yielded together
+_BLOCKS = 16  # number of batches of small tiles after which the found pieces are yielded
 
 
 class FineRays:
@@ -122,14 +122,14 @@ class FineRays:
             yield joined(found)
 
     def forget(self, trajectories: np.ndarray) -> None:
-        """Stop yielding the pieces of the given trajectories (k,)."""
+        """Stop yielding the pieces that the given trajectories (k,) remove."""
         self._wanted[np.searchsorted(self.trajectories.index, trajectories)] = False
 
     def _tiles_along(self, item: np.ndarray, half_width: np.ndarray) -> Tiles:
         """Return the tiles on the strips along the moves `item` (k,), with the trajectories that can meet each tile."""
         frame = self.trajectories.frame
-        # The side of a tile is at least eight times the half width. Therefore the four corners of a square around a
-        # point of the move lie in all tiles that the strip meets near this point.
+        # The side of a tile is at least eight times the half width of the strip along the move. Therefore the tiles at
+        # the four corners of a square around a point of the move are all tiles that the strip meets near this point.
         side = max(TILE, 2 ** ceil(log2(8 * half_width.max() / frame.pixel)))
         start, move = self.trajectories.start[:, item], self.trajectories.move[:, item]
         size = side * frame.pixel
@@ -153,7 +153,7 @@ class FineRays:
         return first_tiles(self.trajectories, side, column * side, row * side)
 
     def _needed(self, tiles: Tiles) -> Tiles:
-        """Return the tiles that at least one wanted trajectory can cut.
+        """Return the tiles that a trajectory whose pieces are still to be yielded (a wanted trajectory) can cut.
 
         In each tile, the trajectories after its last wanted trajectory are dropped.
         """
@@ -209,7 +209,7 @@ def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
 
 
 class _Marked:
-    """Marked pixels of a coarse image (with large pixels), compared with tiles of a fine image with the same axes."""
+    """The marked pixels of a coarse image, looked up for tiles of a fine image with the same axes."""
 
     def __init__(self, marked: np.ndarray, coarse: Frame, fine: Frame) -> None:
         self._coarse, self._fine = coarse, fine

@@ -210,7 +210,7 @@ def facts(
     checked : CrashCheck
         Result of the check of the rapids and plunges of the same job.
     measured : Volumes, optional
-        Measured volumes of the same job. Without them, the volumes are computed from the image.
+        Measured volumes of the same job. Without `measured`, the volumes are computed from the image.
     thin : ThinGouges, optional
         The gouges that are too thin to be visible in the image, found with the same tolerance.
     model : Solid or SeenModel, optional
@@ -246,7 +246,7 @@ def facts(
         gouged = with_thin(gouged, thin)
 
     def divided(moves: slice) -> tuple[np.ndarray, np.ndarray]:
-        """Return time and removed volume of each trajectory, or of each of its parts if volumes were measured."""
+        """Return time and removed volume of each trajectory, or of each trajectory's parts if volumes were measured."""
         seconds, removed = cuts.seconds[moves], volumes[moves]
         if measured is not None:
             first = measured.parts[moves.start : moves.stop + 1]
@@ -295,7 +295,8 @@ def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
     """Return the gouges found in the image together with the thin gouges, the deepest gouge first.
 
     For cuts with thin tools, the thin gouges replace the gouges found in the image, unless some moves of thin tools are
-    unchecked. A thin gouge in a wall is united with the gouges found in the image that the same trajectories made.
+    unchecked. A thin gouge in a wall is united with each gouge found in the image that consists of cuts by the same
+    trajectories.
     """
     found = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
     found += thin.found
@@ -330,9 +331,9 @@ def _last_trajectory(gouge: Deviation) -> int:
 
 
 def with_known(known: Sequence[_Fault], found: Sequence[_Fault]) -> list[_Fault]:
-    """Return all faults, sorted by trajectory.
+    """Return the known and the newly found faults together, sorted by trajectory.
 
-    If both arguments have a fault of one trajectory, the known fault is returned.
+    If a trajectory has a known fault and a newly found fault, only the known fault is returned.
     """
     faults: dict[int, _Fault] = {}
     for some in (found, known):

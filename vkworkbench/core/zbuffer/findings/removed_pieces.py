@@ -42,7 +42,7 @@ class RemovedPieces:
         return result
 
     def selected(self, chosen: np.ndarray) -> RemovedPieces:
-        """Return the pieces selected by a mask (k,) bool, or by their numbers, ascending."""
+        """Return the pieces that the argument selects: a mask (k,) bool, or numbers of pieces, ascending."""
         columns = (self.owner, self.x, self.y, self.near, self.far)
         return RemovedPieces(self.frame, *(column[chosen] for column in columns))
 
@@ -67,7 +67,7 @@ class RemovedPieces:
 
 
 def joined(parts: Sequence[RemovedPieces]) -> RemovedPieces:
-    """Join several sets of pieces of one image."""
+    """Join several sets of removed pieces of rays of one image."""
     columns = zip(*((part.owner, part.x, part.y, part.near, part.far) for part in parts))
     return RemovedPieces(parts[0].frame, *map(np.concatenate, columns))
 

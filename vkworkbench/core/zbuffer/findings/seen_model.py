@@ -13,8 +13,8 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 _ROWS_AT_ONCE = 64
-# Width, pixels, of the strip along the wall of a through hole in which leftover material is searched for. The pixel
-# next to the wall is not compared, because a round wall can run through this pixel.
+# Width, pixels, of the strip along the wall of a through hole in which the part is compared with the model. The strip
+# begins at the second pixel from the wall, because a round wall can run through the first pixel.
 _BESIDE = 3
 
 
@@ -70,7 +70,7 @@ class SeenModel:
         Depth above which material of the part counts as leftover, mm. This depth is `surface`, except in a strip along
         the walls of through holes, where it is the depth of the model's far side. The middle of a through hole is not
         compared, because a piece that is cut free there falls out. In oblique views, through holes are not compared at
-        all, because such a piece hides the walls.
+        all, because a piece that is cut free in a hole hides the walls.
     """
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
@@ -127,12 +127,12 @@ class SeenModel:
         return around(steep, np.maximum)
 
     def _loose(self, part: np.ndarray) -> np.ndarray:
-        """Return the pixels in through holes at which the material in the hole is cut free from the wall.
+        """Return the pixels in through holes where a slot separates the material in the hole from the wall.
 
-        The slot between this material and the wall can be narrower than `_BESIDE` pixels.
+        The slot can be narrower than `_BESIDE` pixels.
         """
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
-        if loose.any():  # most parts have no through holes, so the dilation is skipped
+        if loose.any():  # most parts have no through holes, so they need no loop
             for _ in range(_BESIDE - 1):
                 loose = around(loose, np.maximum)
         return loose
@@ -150,7 +150,7 @@ def deviations(zbuffer: ZBuffer, model: Solid) -> Deviations:
 
 
 def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pixels of holes that are next to a wall, and the second to `_BESIDE`-th pixels from a wall."""
+    """Return the pixels of holes next to a wall, and the pixels that are second to `_BESIDE`-th from a wall."""
     within = around(holes, np.minimum)
     far_from = within
     for _ in range(_BESIDE - 1):
@@ -159,7 +159,7 @@ def _beside_walls(holes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _connected_to_edge(free: np.ndarray) -> np.ndarray:
-    """Return the free pixels that are connected with the image's edge through free pixels along rows and columns."""
+    """Return the pixels of `free` from which a path within `free`, by rows and columns, leads to the image's edge."""
     found = free.copy()
     found[1:-1, 1:-1] = False
     while True:
@@ -170,9 +170,9 @@ def _connected_to_edge(free: np.ndarray) -> np.ndarray:
 
 
 def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
-    """Return all free pixels in runs of free pixels, along a row, that contain a found pixel."""
-    # Runs are numbered row after row without a break, so a run can continue in the next row. Such a run touches the
-    # image's edge, so all its pixels are found anyway.
+    """Return the pixels of `free` in the same run along a row as a pixel of `found`; a run has no gap in `free`."""
+    # The runs of all rows are numbered in one sequence, so a run at the right edge can continue at the left edge of the
+    # next row. All pixels of such a run are connected with the image's edge, so joining two runs is harmless.
     run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
     extended: np.ndarray = free & reached[run]

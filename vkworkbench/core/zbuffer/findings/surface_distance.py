@@ -9,18 +9,18 @@ from math import ceil, hypot
 
 import numpy as np
 
-# Allowed error of the result, as a share of the distance. A distance that exceeds the largest known distance by less
-# than this share, or by less than the side of a pixel, is not searched for.
+# Relative error that is allowed in the result. A pixel is not searched if its distance exceeds the largest distance
+# found so far by less than this share, or by less than the side of a pixel.
 _ALIKE = 0.02
-# Spacing of the grids of pixels that are searched one after the other, pixels. A few pixels of a coarse grid exclude
-# many pixels of the finer grids.
+# The pixels are searched in several passes, first only every 64th pixel in each direction, and finally all pixels. A
+# few pixels of the first passes exclude many pixels of the later passes.
 _GRIDS = (64, 16, 4, 1)
 # _AT_ONCE: largest number of pixels that are searched in one batch. _PAIRS: largest number of pairs of a searched pixel
 # and a pixel around it in one batch; each pair needs 50 bytes.
 _AT_ONCE, _PAIRS = 256, 500_000
-# Three sparse searches around a pixel, each given by the number of directions and the ratio of consecutive radii. In
-# the last search the ratio is close to 1, so that it skips few of the nearby pixels that can exclude the searched
-# pixel.
+# Each of the three sparse searches looks at circles of pixels around a pixel, given by the number of directions and the
+# ratio of consecutive radii. In the last sparse search, this ratio is close to 1, because pixels between two circles
+# are skipped.
 _SPARSE = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
 _RADII_AT_ONCE = (8, 64, 256)  # limits of the groups of radii, pixels, that are searched in one step
 # Complete search around a pixel, ring by ring. _WIDTH: ratio of a ring's outer radius to its inner radius. _FINE: inner
@@ -42,7 +42,7 @@ def farthest(
     Parameters
     ----------
     front, behind : (height, width) float32
-        Depths of the front and rear surface along the view, mm. The depth is infinite if a ray has no surface, so that
+        Depths of the front and rear surface along the view, mm. A ray without a surface has an infinite depth, so that
         the whole ray counts as the space in front of this surface.
     pixels : (k,) int
         Pixels to search, as indices row * width + column.
@@ -55,7 +55,7 @@ def farthest(
     Returns
     -------
     tuple of int and float, or None
-        Index row * width + column of the pixel, and distance, mm. None if no distance exceeds `floor`.
+        Index row * width + column of the pixel, and distance, mm. The result is None if no distance exceeds `floor`.
     """
     row, column = np.divmod(pixels, front.shape[1])
     along = behind.ravel()[pixels] - front.ravel()[pixels]
@@ -63,7 +63,7 @@ def farthest(
     unseen = np.zeros(front.shape, bool)
     unseen.ravel()[pixels[along > floor]] = True
     found = None
-    for grid in (0, *_GRIDS):  # grid 0 has one pixel, with the largest distance along the view
+    for grid in (0, *_GRIDS):  # in pass 0, only the pixel with the largest distance along the view is searched
         on_grid = order[(row[order] % grid == 0) & (column[order] % grid == 0)] if grid else order[:1]
         for first in range(0, len(on_grid), _AT_ONCE):
             some = on_grid[first : first + _AT_ONCE]
@@ -85,7 +85,7 @@ def farthest(
 def _exclude_around(
     unseen: np.ndarray, front: np.ndarray, behind: np.ndarray, row: int, column: int, reach: float, pixel: float
 ) -> None:
-    """Exclude the pixels around a searched pixel at which the distance cannot exceed the lower bound `floor`.
+    """Exclude the pixels around a searched pixel at which the distance cannot exceed the largest distance found so far.
 
     A pixel is excluded if its points on both surfaces are at most `reach`, mm, away from the points of the searched
     pixel. Therefore the distance at an excluded pixel exceeds the distance at the searched pixel by at most `reach`.
@@ -109,8 +109,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
     height, width = front.shape
     row, column = np.divmod(pixels, width)
     ahead, beyond = front[row, column], behind[row, column]
-    # Smallest distances found so far: from the rear surface to the space in front of the front surface, and from the
-    # front surface to the space behind the rear surface.
+    # Smallest distances found so far, in two rows: from the rear surface to the space in front of the front surface,
+    # and from the front surface to the space behind the rear surface.
     least = np.repeat((beyond - ahead)[None].astype(float), 2, axis=0)
     for radius, steps in _around(ceil(hypot(height, width))):
         # The search around a pixel stops when pixels at a larger radius cannot reduce its distance, or when its
@@ -120,9 +120,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # Positions outside the image are replaced by the nearest pixel of the border. The border pixel is closer to
-            # the searched pixel than the position, so an earlier step has already compared the border pixel at its
-            # actual distance.
+            # A position outside the image is replaced by the nearest pixel of the border. This pixel was already
+            # compared at its actual distance, which is smaller, so the replacement changes nothing.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]
@@ -135,9 +134,9 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
 
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
-    """Yield a radius, and steps (n, 2) in rows and columns from a pixel to pixels around it, both in pixels.
+    """Yield batches of steps (n, 2) from a pixel to pixels around it, in rows and columns, each with a radius, pixels.
 
-    All steps that are shorter than the radius were yielded before.
+    All steps that are shorter than the radius were yielded in earlier batches.
     """
     for directions, wider in _SPARSE:
         for circles in _circles(size, directions, wider):
@@ -154,7 +153,7 @@ def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:
 
 @lru_cache(maxsize=len(_SPARSE))
 def _circles(size: int, directions: int, wider: float) -> list[np.ndarray]:
-    """Return the steps from a pixel to circles around it, in groups of ascending radii."""
+    """Return the steps from a pixel to the pixels on circles around it, in batches with growing radii."""
     radii = [1.0]
     while radii[-1] * wider < size:
         radii.append(max(radii[-1] * wider, radii[-1] + 1))

@@ -29,25 +29,26 @@ _SHOWN = 4.0
 _CLOSEST = 2.0**-8
 # Distance between rays along walls, mm.
 _AT_WALLS = 2.0**-4
-# _DIRECTIONS: directions in which the model's surface is searched around a point, as unit vectors (2, 24). _SHARES:
-# radii of the first search, as shares of the smallest depth of a gouge. The search with the largest radius excludes
-# most points.
+# _DIRECTIONS: 24 unit vectors (2, 24); around each point, the model's surface is searched in these directions. _SHARES:
+# radii of the circles on which the surface is searched to decide whether a point is in a gouge, as shares of the
+# smallest depth of a gouge. The circle with the largest radius, which is searched first, excludes most points.
 _DIRECTIONS = np.array([np.cos(np.arange(24) * np.pi / 12), np.sin(np.arange(24) * np.pi / 12)])
 _SHARES = np.array([1.0, 0.67, 0.34])
-# _WIDER: ratio of consecutive radii in the search for the depth of a gouge. _ALIKE: factor by which a depth must be
-# larger than another depth to count as deeper. _IN_STEPS: the points of a gouge, sorted with the deepest along the view
-# first, are measured in batches that end at these numbers of points, because the first depths exclude most of the later
-# points.
+# _WIDER: ratio of consecutive radii of the circles on which the surface is searched to measure the depth of a gouge.
+# _ALIKE: a point replaces the deepest point found so far only if its depth is larger by this factor. _IN_STEPS: the
+# points of a gouge, sorted with the deepest along the view first, are measured in batches that end at these numbers of
+# points, because the first depths exclude most of the later points.
 _WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Side of the grid cells by which points are grouped, as a multiple of the distance between neighbouring points. Points
 # in the same cell or in neighbouring cells belong to one gouge.
 _CLOSE = 4.0
-# Approximate upper bounds for the number of points that are compared with the model. _POINTS: number of points in one
-# batch of pieces. _OF_OWNER: number of points of one trajectory in a batch.
+# Approximate upper bounds for the number of points at which removed pieces are compared with the model. _POINTS: number
+# of points in one batch of removed pieces. _OF_OWNER: number of points in pieces of one batch that one trajectory
+# removed.
 _POINTS, _OF_OWNER = 20_000, 2000
-# Approximate upper bound for the number of points of a gouge at which the depth is measured.
+# Approximate upper bound for the number of points at which the depth of one gouge is measured.
 _MEASURED = 200
-# Number of points around which the surface is searched in one batch.
+# Number of points that are processed in one batch when the surface is searched around them.
 _TOGETHER = 4096
 
 
@@ -203,8 +204,7 @@ class _Search:
     def gouges(self, cuts: Cuts) -> list[Deviation]:
         """Return the gouges to which the stored points belong.
 
-        The stored points of consecutive trajectories belong to one gouge. Points that are close to each other also
-        belong to one gouge.
+        Two stored points belong to one gouge if they were made by consecutive trajectories or are close to each other.
         """
         if not self._found:
             return []
@@ -213,7 +213,8 @@ class _Search:
         order = np.argsort(pieces.owner, kind="stable")
         stretch = np.empty(len(order), np.int64)
         stretch[order] = np.cumsum(np.diff(pieces.owner[order], prepend=pieces.owner[order[0]]) > 1)
-        # Stretches of consecutive trajectories that have points in one group of connected cells are one gouge.
+        # A stretch is a sequence of consecutive trajectories with stored points. Stretches are one gouge if their
+        # points lie in connected cells.
         side = _CLOSE * np.sqrt(area.max())
         cells = connected_cells(*(np.floor(place / side).astype(np.int64) for place in (pieces.y, pieces.x)))
         stretches = int(stretch.max()) + 1
@@ -260,7 +261,7 @@ class _Search:
 
 
 def _thinned(deep: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a selection of the pieces `deep` (k,), and the number of pieces that each selected piece represents.
+    """Return a selection of the pieces `deep` (k,), and the number of pieces for which each selected piece stands.
 
     Every n-th piece of each trajectory is selected, so that the time for a large gouge is limited.
     """

@@ -23,7 +23,7 @@ class Verdict:
     pixel : float or None
         Side of the pixels of the simulation with which the job was checked, mm; None before the check.
     met : bool
-        Whether at least one tool can meet the stock. If no tool can meet the stock, there was nothing to check.
+        Whether at least one tool can meet the stock. If this is False, there was nothing to check.
     compared : bool
         Whether the part was compared with a model.
     crashes, gouges, fast_plunges : int
@@ -36,11 +36,11 @@ class Verdict:
     walls_checked : bool
         Whether all walls of the model were compared with the part, on rays closer than a pixel, within the time limit.
     unjudged : tuple of int
-        Cuts whose gouges are unknown, because the simulated tool only stands for a tool with another shape.
+        Cuts whose gouges are unknown, because their tools were simulated with another shape than the real shape.
     collisions : Collisions or None
         Collisions of shanks, holders and clamps; None if they were not checked.
     lines : bool
-        Whether the message gives commands as numbers of program lines, counted from 1.
+        Whether the message names commands by their line in the NC program, counted from 1.
     unread : tuple of Message
         Messages on parts of the job that could not be read, and on assumptions made while reading the job. A job with
         such a message never counts as sound.
@@ -131,5 +131,5 @@ class Verdict:
         return tuple(sentences)
 
 
-# The verdict on a job's safety before the job is checked.
+# The verdict on the safety of a job that was not checked yet.
 PENDING = Verdict()

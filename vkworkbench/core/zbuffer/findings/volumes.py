@@ -128,7 +128,7 @@ def _parts(cuts: Cuts) -> np.ndarray:
 
 
 def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.ndarray:
-    """Return the number of the part of a move on which the tool's front removes each piece, (k,) int64."""
+    """Return the number of the part of its move on which the tool's front removes each piece, (k,) int64."""
     trajectories = rays.trajectories
     item = np.searchsorted(trajectories.index, pieces.owner)
     (x, y, _), (ux, uy, run, _) = trajectories.start[:, item], trajectories.heading[:, item]

@@ -18,7 +18,7 @@ from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Pieces
 from vkworkbench.core.zbuffer.rays.records import GAP
 from vkworkbench.core.zbuffer.rays.removal import Removal
 
-# Seed of the random sample. A fixed seed gives the same numbers in the window and in a macro.
+# Seed of the random sample. With a fixed seed, the add-on's window and a user's macro get equal estimates.
 _SEED = 2002
 
 
@@ -41,8 +41,8 @@ class Counts:
         Number of pairs of a pixel and a trajectory whose swept volume the pixel's ray meets, including trajectories
         that remove nothing from the ray.
     unconnected : float
-        Share of `passes` on rays whose removed intervals are not connected. The simulator sorts the intervals of such
-        rays only; see `chains.py`.
+        Share of `passes` on rays whose removed intervals are not connected. The simulator sorts the removed intervals
+        only on these rays; see `chains.py`.
     band : float
         Number of dexels, trace elements and gaps in the fullest band of `TILE` pixel rows.
     pixels : int
@@ -90,7 +90,8 @@ def count(removal: Removal) -> Counts:
     per_area = 1 / frame.pixel**2
 
     covered, gaps = seen_areas(removal.stock, frame, rng)
-    # A ray that is cut through loses dexels. A ray that is cut in the middle gains dexels.
+    # A ray that is cut to its end has fewer dexels than in the uncut stock. A ray that is cut in the middle of a dexel
+    # has more.
     more, _ = rays.total(parts - first)
     more = max(more, -covered)  # rounding errors can make the sum negative if all stock is removed
     traces, error = rays.total(cuts)
@@ -115,9 +116,9 @@ def count(removal: Removal) -> Counts:
 def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
     """Return whether the removed intervals of each ray are not connected, (rays,) bool.
 
-    The intervals are not connected if a piece between two other pieces of the ray was removed by a later trajectory
-    than both neighbours, so its owner is greater than the neighbours' owners. A piece that no trajectory removes has
-    the greatest owner, `UNCUT`.
+    The removed intervals of a ray are not connected if a piece between two other pieces was removed later than both, so
+    that its owner (the removing trajectory) is greater than both neighbours' owners. A piece that no trajectory removes
+    has the greatest owner, `UNCUT`.
     """
     owner, ray = pieces.owner, pieces.ray
     peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))

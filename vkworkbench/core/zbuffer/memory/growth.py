@@ -8,7 +8,7 @@ from math import log2, sqrt
 
 from vkworkbench.core.view import LONGEST_SIDE, MOST_PIXELS, Frame, View
 
-# Largest growth (factor for the number of pixels) that is considered, as an exponent of 2.
+# Largest growth that is considered, given as an exponent of 2; the growth is the factor for the number of pixels.
 _LARGEST_GROWTH = 40
 
 
@@ -38,7 +38,8 @@ def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
     largest = MOST_PIXELS / (image.width * image.height), (LONGEST_SIDE / max(image.width, image.height)) ** 2
     growth = min(growth, *largest)
     pixels = growth * image.width * image.height
-    # The shorter side has at least one pixel. In a narrow image, this minimum also limits the longer side.
+    # The shorter side of the image has at least one pixel. In a narrow image, the longer side must therefore be
+    # shorter.
     width = max(1, int(image.width * sqrt(growth)))
     height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
     return max(1, int(min(width, pixels / height))), height

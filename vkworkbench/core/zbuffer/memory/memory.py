@@ -19,15 +19,17 @@ from vkworkbench.language import Message, Unusable
 
 # Default memory budget, bytes.
 BUDGET = 2e9
-# Memory for the temporary arrays of one band of the image, bytes. _BAND_ABOVE: in views from above. _BAND_CLOSED: in
-# oblique views if the swept volumes of all tools are computed by closed forms. _BAND: in all other cases.
-# benchmarks/zbuffer.py measures the memory in views from above, test_vk_zbuffer_memory.py in other views.
+# Memory for the temporary arrays of one band of the image, bytes. _BAND_ABOVE: memory for a band in a view from above.
+# _BAND_CLOSED: memory for a band in an oblique view if the swept volumes of all tools are computed by closed forms.
+# _BAND: memory for a band in all other cases. benchmarks/zbuffer.py measures the memory in views from above,
+# test_vk_zbuffer_memory.py in other views.
 _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
-# Smallest cosine of the view's tilt from the vertical at which `_BAND_CLOSED` is used. If the cosine is smaller, each
-# ray meets so many trajectories that closed forms save no memory.
+# `_BAND_CLOSED` is used only if the cosine of the angle between the view and the vertical is at least this value. In
+# views with a smaller cosine, which are more from the side, each ray meets so many trajectories that closed forms save
+# no memory.
 _STEEP = 0.5
-# Memory for each trajectory (_TRAJECTORY), and for each record of the band whose records are being assembled
-# (_BAND_RECORD), bytes.
+# Memory for each trajectory (_TRAJECTORY), and for each record (piece of a ray) while the records of its band are
+# assembled (_BAND_RECORD), bytes.
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
 # Memory for drawing pictures of the finished simulation, bytes: for each trace element (_SHOWN), for each pixel
@@ -41,7 +43,7 @@ _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
 # Share of its length by which an array of dexels, trace elements and gaps is enlarged when it is full.
 _SPARE = 1 / 8
-# Number of standard errors that is added to the estimated number of trace elements.
+# The estimated number of trace elements is increased by this multiple of its standard error to get an upper bound.
 _ERRORS = 2.0
 # Share of the memory budget that a proposed image size uses. The rest is a margin, because an estimate for the proposed
 # size samples other rays and gives a slightly different result.
@@ -115,7 +117,7 @@ class Peak:
 
     @property
     def uncut(self) -> Peak:
-        """The same quantities for a simulation of the uncut stock without any trajectory."""
+        """The quantities that determine the peak memory if the uncut stock is simulated without any trajectory."""
         return replace(self, records=self.stock, traces=0.0, band=0.0, trajectories=0)
 
     def cutting(self, growth: float = 1.0) -> float:
@@ -165,7 +167,7 @@ def check_memory(removal: Removal, trajectories: int, allowed: float) -> None:
         If the estimated peak is larger than allowed.
     """
     if most_bytes_of(removal, trajectories) <= allowed:
-        return  # even the upper bound is within the limit, so no rays are sampled
+        return  # even the upper bound of the memory is within the limit, so no rays are sampled
     counts = count(removal)
     peak = peak_of(counts, trajectories, removal)
     if peak.bytes() > allowed:

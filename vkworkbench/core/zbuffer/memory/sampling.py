@@ -92,7 +92,7 @@ def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     if len(removal.index) == 0:
         return _NOWHERE
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
-    margin = frame.pixel / 2  # a swept volume that reaches a pixel's centre reaches the whole pixel
+    margin = frame.pixel / 2  # a swept volume that reaches a pixel's centre counts as reaching the whole pixel
     low, high = seen_box(removal.stock, frame)
     low = np.maximum(-half, np.maximum(low, removal.box[::2].min(axis=1)) - margin)
     high = np.minimum(half, np.minimum(high, removal.box[1::2].max(axis=1)) + margin)
@@ -134,7 +134,7 @@ def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.nda
 def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the corners of the trajectories' bounding boxes, as indices of cell corners, and +1 or -1 for each corner.
 
-    The number +1 or -1 is added to the number of boxes for all cells to the right of the corner and above it.
+    The sum of the numbers at all corners to the left of a cell and below it is the number of boxes that touch the cell.
     """
     move = removal.move.take(item, axis=1)
     seen = np.array((move[0], removal.cosine * move[1] + removal.sine * move[2]))
@@ -150,6 +150,6 @@ def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarr
     inside = ((last >= np.maximum(first, 0)) & (first < _CELLS)).all(axis=0)
     c0, r0 = np.maximum(first[:, inside], 0).astype(np.int64)
     c1, r1 = np.minimum(last[:, inside], _CELLS - 1).astype(np.int64) + 1
-    # The caller sums these changes along rows and columns to get the number of boxes that cover each cell.
+    # The caller sums the numbers +1 and -1 along rows and columns to get the number of boxes that touch each cell.
     corner = np.concatenate((r0 * _CORNERS + c0, r1 * _CORNERS + c1, r0 * _CORNERS + c1, r1 * _CORNERS + c0))
     return corner, np.repeat([1.0, 1.0, -1.0, -1.0], len(c0))

@@ -16,7 +16,7 @@ _RAYS = 64
 def seen_box(stock: Solid, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
     """Return the lower and upper corner (2,) of the stock's bounding box in an image, mm.
 
-    ``lower > upper`` if the stock is outside the image.
+    If ``lower > upper``, the stock is outside the image.
     """
     half = np.array([frame.width, frame.height]) * frame.pixel / 2
     axes = np.array([frame.right, frame.up])
@@ -50,7 +50,7 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
 
 
 def _mesh_areas(mesh: Mesh, frame: Frame, rng: np.random.Generator) -> tuple[float, float]:
-    """Return `seen_areas` for a mesh, estimated from one random ray in each cell.
+    """Return `seen_areas` for a mesh, estimated from one random ray in each cell of a grid.
 
     The rays are random, because a regular grid of rays could miss all ribs of a mesh with a regular structure.
     """

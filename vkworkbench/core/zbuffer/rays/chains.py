@@ -119,8 +119,8 @@ def cut_by_removing(
         return _pieces_from_near_end(near, far, ray, trajectory, leave)
     offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
-    # `open_near` and `open_far` are the ends of the ray's gap before each interval is removed. For the first interval
-    # of a ray, `open_near` and `open_far` are the ends of this interval.
+    # For each interval, `open_near` and `open_far` are the ends of the gap that the ray's earlier intervals have cut.
+    # For the first interval of a ray, `open_near` and `open_far` are the ends of this interval.
     rising, falling = leave + offset, enter - offset
     open_far = before_in_group(np.maximum.accumulate(rising), start, rising[start])
     open_near = before_in_group(np.minimum.accumulate(falling), start, falling[start])
@@ -133,8 +133,8 @@ def cut_by_removing(
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
-    # An interval inside the ray's previous interval removes nothing. Such an interval is left out, because sorting
-    # intervals takes long.
+    # An interval inside the ray's previous interval removes nothing. Such intervals are left out, because sorting takes
+    # long.
     loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
@@ -174,7 +174,7 @@ def _pieces_from_near_end(
 ) -> Pieces:
     """Return the pieces of rays whose intervals all begin at the near end and end at increasing depths."""
     end = near.copy()
-    end[ray] = leave  # the last interval of each ray
+    end[ray] = leave  # for each ray, the end of its last interval remains
     whole = end < far
     size = np.bincount(ray, minlength=len(near)) + whole
     base = np.append(0, np.cumsum(size))
@@ -184,8 +184,8 @@ def _pieces_from_near_end(
         np.empty(base[-1]),
         np.empty(base[-1]),
     )
-    # The index of an interval's piece is the number of earlier intervals plus the number of earlier rays whose far end
-    # is not cut.
+    # Each interval gives one piece, and each ray whose far end is not cut gives one more piece. Therefore the index of
+    # an interval's piece is the number of earlier intervals plus the number of earlier rays whose far end is not cut.
     at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
     pieces.owner[at], pieces.far[at] = trajectory, leave
     pieces.far[base[1:][whole] - 1] = far[whole]
@@ -210,8 +210,8 @@ def _pieces_of_growing_gaps(
     """
     ray, trajectory, enter, leave = intervals
     rays = len(near)
-    # Each growth at one end begins where the previous growth at this end stopped, or at the end of the ray's first
-    # interval.
+    # A growth (the stretch by which an interval makes the gap longer at one end) begins where the previous growth at
+    # this end stopped, or at the end of the ray's first interval.
     inner, outer = np.flatnonzero(nearer | start), np.flatnonzero(farther | start)
     growth = np.flatnonzero(nearer[inner])
     nearer, gap_near = inner[growth], enter[inner[growth - 1]]

@@ -114,20 +114,20 @@ def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | f
 
 
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Return, for each of the numbers 0 to `slots` - 1 (slots), the lowest value of the ranges that contain the slot.
+    """Return the lowest value of the ranges that contain each slot; the slots are numbered from 0, (slots,).
 
-    A range contains a slot if ``first <= slot < last``. Each range is the union of two ranges, which can overlap; the
-    length of both is the largest power of two that is not longer than the range. Both ranges receive the value in the
-    table for this power of two. Starting with the largest power of two, the values of each table are then passed on to
-    the table for half the length, until the ranges consist of one slot. The method is a sparse table for range minimum
-    queries, used in reverse.
+    A range contains a slot if ``first <= slot < last``. Each range is covered by two shorter ranges, which can overlap;
+    the length of both is the largest power of two that is not longer than the range. Both shorter ranges receive the
+    value in the table for this power of two. Starting with the largest power of two, the values of each table are then
+    passed on to the table for half the length, until each shorter range consists of one slot. The method is a sparse
+    table for range minimum queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:
         return cover
     level = np.frexp(last - first)[1] - 1
-    # Sort the values of each power of two in descending order, so that the lowest of several values for a slot is
-    # written last.
+    # The values of ranges with one length are sorted in descending order, so that the lowest of several values for a
+    # slot is written last.
     order = np.lexsort((-value, level))
     bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
     for power in range(level.max(), -1, -1):

@@ -14,8 +14,8 @@ from functools import cached_property
 
 import numpy as np
 
-# Types of the dexels and of the trace elements that callers get. The depths `near` and `far` are measured along the
-# view's direction from the centre of the stock, mm.
+# Element types of the arrays of dexels and of trace elements that callers get. The depths `near` and `far` are measured
+# along the view's direction from the centre of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
 # Type of the array that holds the number of each pixel's first record (piece of a ray).
@@ -25,8 +25,8 @@ GAP = -1
 # Memory for one record (a piece of a ray) and for one pixel, bytes.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
-# Number of pieces in one batch. Most numpy functions hold the GIL, so a larger batch would stop all other threads for
-# more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
+# Number of pieces of rays in one batch. Most numpy functions hold the GIL, so a larger batch would stop all other
+# threads for more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
 _BLOCK = 1 << 17
 
 
@@ -97,7 +97,7 @@ class Records:
     @cached_property
     def lengths(self) -> np.ndarray:
         """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # first entry: gaps; last entry: pieces that stay
+        total = np.zeros(self.trajectories + 2)  # first: length of the gaps; last: length of the uncut pieces
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]
@@ -143,7 +143,7 @@ class Records:
         """Return the dexels after `step` trajectories, sorted by pixel and depth, (d,) ndarray of DEXEL."""
         left = self.owner >= step
         pixel = self.pixel()
-        joined = np.zeros(len(left), bool)  # whether a piece continues the previous dexel
+        joined = np.zeros(len(left), bool)  # whether a piece and the previous piece belong to one dexel
         joined[1:] = left[1:] & left[:-1] & (pixel[1:] == pixel[:-1])
         first = np.flatnonzero(left & ~joined)
         last = np.flatnonzero(left & ~np.append(joined[1:], False))
@@ -204,7 +204,7 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
     """Join the records (pieces of rays) of parts of an image, from left to right. Every part has `height` rows."""
     if len(parts) == 1:
         return parts[0]
-    # For each part of the image, the first pixel of each row, and the first piece of this pixel.
+    # For each part of the image: the first pixel of each row of pixels, and the first piece on the ray of this pixel.
     pixels = [np.arange(height + 1) * (len(part.entry) // height) for part in parts]
     pieces = [part.index[own] for part, own in zip(parts, pixels)]
 

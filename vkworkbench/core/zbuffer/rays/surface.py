@@ -63,7 +63,7 @@ class Surface:
     def prepare(self) -> None:
         """Compute the tables of prefix maxima, which are needed to show the part at any moment.
 
-        With many pieces, the computation takes so long that it would block the user interface if it ran in its thread.
+        With many pieces, the computation takes so long that it must not run in the thread of the user interface.
         """
         self._by_owner  # noqa: B018 - cached
 
@@ -88,7 +88,7 @@ class Surface:
         return latest
 
     def changed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels, ascending, that can differ between the pictures of `step` and `other`."""
+        """Return the pixels, ascending, whose visible surfaces can differ between the moments `step` and `other`."""
         return np.unique(self._removed(step, other)).astype(np.int64)
 
     def _removed(self, step: int, other: int) -> np.ndarray:
@@ -134,7 +134,7 @@ class Surface:
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """The position of each trajectory's first pixel, and the pixels of all prefix maxima, sorted by trajectory.
+        """The position at which each trajectory's pixels begin, and the pixels of all prefix maxima by trajectory.
 
         The pixels are sorted by a counting sort in batches.
         """

@@ -76,7 +76,7 @@ class ZBuffer:
 
     @property
     def picture(self) -> Picture:
-        """Depth of the visible surface at this moment, and trajectory that cut it, for every pixel."""
+        """Depth of the visible surface at this moment of the simulation, and trajectory that cut it, by pixel."""
         return self.surface.picture(self.step)
 
     @cached_property
@@ -96,7 +96,7 @@ class ZBuffer:
 
     @property
     def dexels(self) -> int:
-        """Number of dexels at this moment."""
+        """Number of dexels at this moment of the simulation."""
         return len(self.dexel_records)
 
     @property
@@ -111,12 +111,12 @@ class ZBuffer:
 
     @property
     def part_volume(self) -> float:
-        """Volume of the part at this moment, mm^3."""
+        """Volume of the part at this moment of the simulation, mm^3."""
         return _length(self.dexel_records) * self.frame.pixel**2
 
     @property
     def chip_volume(self) -> float:
-        """Volume removed before this moment, mm^3."""
+        """Volume removed before this moment of the simulation, mm^3."""
         return _length(self.trace_records[self.trace_records["trajectory"] < self.step]) * self.frame.pixel**2
 
     def chips(self, first: int, end: int) -> Chips:
@@ -173,7 +173,7 @@ class ZBuffer:
         return found
 
     def at(self, step: int) -> ZBuffer:
-        """Return the simulation at another moment.
+        """Return the z-buffer at another moment of the simulation.
 
         Parameters
         ----------

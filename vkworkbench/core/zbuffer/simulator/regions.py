@@ -77,8 +77,9 @@ class _Rays:
         centres = frame.pixel_centres(region.left + column, region.bottom + row)
         self.near, self.far, self.gaps = trajectories.spans(*centres)
         self.inside = self.far - self.near > THINNEST
-        # A gap in the stock is a piece, even on a ray that no trajectory cuts. Therefore rays with gaps that are not
-        # yet cut are marked as pending, and `records` adds their pieces.
+        # A gap in the stock is stored as a piece of the ray, even if no trajectory cuts the ray. Therefore each ray
+        # with gaps is marked as pending until it is cut, and `records` adds the pieces of the rays that are still
+        # pending.
         self.pending = np.zeros(len(row), bool)
         self.pending[self.gaps.ray] = True
         self.parts: list[_Part] = []
@@ -96,13 +97,13 @@ class _Rays:
         hit, enter, leave = self.bounds.removals(tiles, tile, near, far)
         if len(hit) == 0:
             return
-        # The rays are sorted by the pixel's position in its tile first, and by tile second.
+        # The rays are sorted by the position of their pixel in its tile, and then by tile.
         rows = np.arange(shape[0]) * len(tile)
         begin = np.searchsorted(hit, (rows[:, None] + tiles.first[:-1]).ravel())
         met = np.flatnonzero(np.diff(begin, append=len(hit)))
         start = begin[met]
         for first, own in zip(rows.tolist(), np.split(hit, begin[:: shape[1]][1:])):
-            own -= first  # subtract the row, so that only the position of the pair of tile and trajectory remains
+            own -= first  # the number of the pair of a tile and a trajectory remains
         owner = self.trajectories.index.take(tiles.item).take(hit)
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:
@@ -137,7 +138,7 @@ class _Rays:
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
     def _put(self, ray: np.ndarray, pieces: Pieces) -> None:
-        """Add the pieces of the rays `ray`; ``pieces.ray`` contains positions in the array `ray`."""
+        """Store the pieces of the rays `ray`; ``pieces.ray`` contains positions in the array `ray`."""
         size = np.bincount(pieces.ray, minlength=len(ray))
         self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
         self.pending[ray] = False

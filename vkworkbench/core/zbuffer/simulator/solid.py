@@ -69,7 +69,7 @@ class _Faces:
 
 
 def _joined(begin: np.ndarray, end: np.ndarray, *others: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Join stretches from `begin` to `end` that follow each other without a gap and agree in all other columns."""
+    """Join stretches from `begin` to `end` that follow each other without a gap and have equal values in `others`."""
     order = np.lexsort((begin, *others))
     begin, end, others = begin[order], end[order], tuple(column[order] for column in others)
     new = np.ones(len(begin), bool)
@@ -133,8 +133,8 @@ def _walls(
     """Return the walls between pixels that are neighbours along an axis of the image (0: in a row, 1: in a column)."""
     at, along = (column, row) if axis == 0 else (row, column)
     ranks, lines = size[2], size[1 - axis]
-    # For each edge between two pixels and each depth, each dexel of the pixel before the edge adds 1, and each dexel of
-    # the pixel after the edge subtracts 1. A wall is needed at all depths at which the sum is not 0.
+    # For each edge between two pixels and each depth, the number of dexels in the pixel after the edge is subtracted
+    # from the number in the pixel before the edge. A wall is needed at all depths at which the difference is not 0.
     edge = np.concatenate(((at + 1) * lines + along, at * lines + along))
     count = np.repeat([1, -1], len(near))
     key = np.concatenate((edge * ranks + np.tile(near, 2), edge * ranks + np.tile(far, 2)))
@@ -201,9 +201,9 @@ class _Lattice:
             np.stack((centres, boundary[fan], boundary[following[fan]]), axis=1),
         ])  # fmt: skip
         of_face = np.concatenate((np.flatnonzero(four), np.flatnonzero(four), owner[fan]))
-        # The right axis, the up axis and the direction of an image form a left-handed system, so triangles on positive
-        # sides are reversed. For walls between rows of pixels (normal axis 1), the order of the two other axes is
-        # exchanged, so triangles on negative sides are reversed.
+        # The right axis, the up axis and the direction of an image form a left-handed system, so the corners of
+        # triangles that face a positive direction are reversed. For walls between rows of pixels (normal axis 1), the
+        # two other axes are exchanged, so the corners of triangles that face the negative direction are reversed.
         turned = faces.side[of_face] * (-1 if normal == 1 else 1) > 0
         found[turned] = found[turned][:, ::-1]
         return found

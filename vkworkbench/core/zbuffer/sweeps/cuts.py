@@ -28,8 +28,8 @@ class Cut:
     vertical_feed : float
         Largest feed for plunging, mm/s; 0 if unknown.
     allowed_depth : float
-        Depth to which the operation deliberately cuts into the model, mm, as in engraving, V-carving and deburring.
-        Infinite if the tool only approximates another shape, so that its gouges are meaningless.
+        Depth to which the operation deliberately cuts into the model, mm, as in engraving, V-carving and deburring. The
+        depth is infinite if the tool only approximates another shape, so that its gouges are meaningless.
 
     Raises
     ------

@@ -4,7 +4,7 @@
 A tool is modelled as a convex solid of revolution that is unbounded upwards. The volume that the tool sweeps along a
 straight move is convex, so a ray intersects the swept volume in one interval. In ray coordinates, the x axis points to
 the right in the image, the y axis in the horizontal direction of the rays, and the z axis up. Every ray has the
-direction (0, sine, -cosine); sine and cosine belong to the view's tilt from the vertical.
+direction (0, sine, -cosine), with the sine and cosine of the angle between the view and the vertical.
 
 For flat and ball ends, slots.py computes the interval in closed form. For other tools, let t from 0 to 1 be the
 position of the tool on its move. For each t, the ray enters and leaves the tool at some depth. The interval of the
@@ -55,13 +55,13 @@ def lowest(
     aside2 *= aside2
     half = tool.radius**2 - aside2
     with np.errstate(invalid="ignore"):
-        np.sqrt(half, out=half)  # NaN where the tool passes beside the point
+        np.sqrt(half, out=half)  # NaN where the tool does not pass over the point
         if tool.rounding == tool.radius:
             return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
         ahead = run - along
-        # The foot is the point's perpendicular projection on the line of the move. Relative to the foot, the tool's
-        # axis moves from -along to ahead. The tool is above the point while its axis is at most `half` away from the
-        # foot.
+        # The foot is the point's perpendicular projection on the line of the move. Measured along this line from the
+        # foot, the tool's axis moves from -along to ahead. The tool is above the point while its axis is at most `half`
+        # away from the foot.
         at = along + _lowest_position(tool, slope, aside2, half)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
         np.minimum(along, ahead, out=ahead)
@@ -128,7 +128,8 @@ def _lowest_position(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np
     if tool.rounding == 0:
         steeper = tool.steepness**2 - slope**2
         inner = np.abs(slope) * np.sqrt(aside2 / np.where(steeper > 0, steeper, 1))
-        # If the minimum is on the flat tip, the position is moved to the edge of the tip, where the tool is lower.
+        # If the tool is lowest above the point with its flat tip, the position is moved until the edge of the tip is
+        # above the point, because the tool is lower there.
         inner = np.minimum(np.maximum(inner, np.sqrt(np.maximum(tool.tip**2 - aside2, 0))), half)
         position = -np.sign(slope) * np.where(steeper > 0, inner, half)
         return position
@@ -146,8 +147,8 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
         middle = (low + high) / 2
         r = np.sqrt(aside2 + middle**2)
         beyond = np.clip(r - flat, 0, tool.rounding)
-        # The comparison is made with the derivative d/dv of slope * v + profile, times its positive denominator. On the
-        # flat tip the profile is constant, so the sign of the slope decides.
+        # `rising` is True where the derivative d/dv of slope * v + profile is positive; its positive denominator is left
+        # out. On the flat tip the profile is constant, so the sign of the slope decides.
         rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
@@ -200,13 +201,13 @@ def _general(
         enter, leave = _chord(tool, at, sine, cosine)
         near, far = _joined(near, far, enter, leave)
         if tool.rounding:
-            # A bull-nose has no edges. The depth at this end of the move is the final result if the tool's surface at
-            # this depth does not face the other end of the move. Otherwise a position between the ends of the move must
-            # be searched. The position is also searched for every ray that only touches the tool, because there the
-            # direction of the surface is a rounding error.
+            # A bull-nose has no edges. The depth at which the ray enters or leaves the tool at this end of the move is
+            # the final result if the tool's surface at this depth does not face the other end of the move. Otherwise a
+            # position of the tool between the ends of the move must be searched. A position is also searched for every
+            # ray that only touches the tool, because there the direction of the surface is a rounding error.
             touched = ~(leave - enter > ROUNDING)
             if abs(cosine) <= FROM_THE_SIDE:
-                touched |= np.abs(at[2]) < ROUNDING  # a ray along the floor only touches the tool
+                touched |= np.abs(at[2]) < ROUNDING  # a ray in the plane of the flat end only touches the tool
             for entered_or_left, depth in zip(between, (enter, leave)):
                 depth = np.where(touched, 0, depth)
                 entered_or_left &= touched | (_facing(tool, at, depth, away, sine, cosine) > 0)
@@ -214,7 +215,8 @@ def _general(
     if tool.rounding:
         rays = np.flatnonzero(between.any(axis=0))
         if abs(cosine) > FROM_THE_SIDE:
-            # Skip rays that miss a flat-end mill with a slightly larger radius; most rays miss this mill.
+            # Skip rays that miss the slot of a flat-end mill with a slightly larger radius, which contains the
+            # bull-nose; most rays miss this slot.
             enter, leave = sloped_slot(tool.radius + ROUNDING, tuple(offset[:, rays]), move[:, rays], sine, cosine)
             rays = rays[enter <= leave + ROUNDING]
         some = rays
@@ -232,7 +234,7 @@ def _general(
 
 
 def _joined(near: np.ndarray, far: np.ndarray, enter: np.ndarray, leave: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the smallest intervals that contain both given intervals.
+    """Return, for each ray, the smallest interval that contains both of its given intervals.
 
     Intervals with ``enter > leave`` are empty and ignored.
     """
@@ -272,10 +274,11 @@ def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> t
     half2 = tool.radius**2 - x**2
     half = np.sqrt(np.maximum(half2, 0))
     low = np.where(half2 >= -RIM, -half, np.inf)
-    # The height of the ray is level - tangent * y, where y is measured from the tool's axis.
+    # The height of the ray above the lower end of the cylinder is level - tangent * y, where y is measured from the
+    # tool's axis.
     level = z + tangent * y - tool.rounding + ROUNDING
     if tool.steepness > 0:
-        # The apex of the cone is below the flat tip.
+        # For the cone, the height is measured from the apex, which is below the flat tip.
         cone_low, cone_high = _cone_chord(tool.steepness, tangent, x, level + tool.steepness * tool.tip)
         low, high = np.maximum(low, cone_low), np.minimum(half, cone_high)
     else:
@@ -296,14 +299,14 @@ def _cone_chord(k: float, tangent: float, x: np.ndarray, level: np.ndarray) -> t
     square = (k - steep) * (k + steep)
     root2 = level**2 - square * x**2
     root = k * np.sqrt(np.maximum(root2, 0))
-    # `down` is the solution on the side on which the ray descends, `up` the solution on the other side. `down` is
-    # computed from the product of both solutions: if the ray is nearly parallel to the cone, `up` is far away, and
-    # computing `down` as a difference would leave only rounding errors.
+    # `down` is the distance to the cone on the side on which the ray descends, `up` the distance on the other side.
+    # `down` is computed from the product of both solutions of a quadratic equation: if the ray is nearly parallel to
+    # the cone, `up` is very large, and computing `down` as a difference would leave only rounding errors.
     reach = level * steep + root
     down = divide((level - k * np.abs(x)) * (level + k * np.abs(x)), reach)
     if square > 0:
         up = np.where((root2 >= 0) & (level >= 0), reach / square, -np.inf)
-    else:  # the ray never leaves the cone on the side on which it ascends
+    else:  # the ray ascends at least as steeply as the cone, so it never leaves the cone on this side
         up = np.full_like(x, np.inf)
         below = (root - level * steep) / square if square else -np.inf
         down = np.where(level >= 0, down, below)
@@ -316,11 +319,11 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
     ux, uy, uz = move
     run = np.sqrt(ux**2 + uy**2)
     safe_run = np.where(run > 0, run, 1)
-    # Candidates on the two vertical side faces.
+    # Candidates for t from the two vertical side faces of the swept volume.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    # Candidates on the swept edges. One edge is between the cylinder and the flat end or cone, the other between the
-    # cone and its flat tip.
+    # Candidates for t from the swept edges. One edge is between the cylinder and the flat end or cone, the other
+    # between the cone and its flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2
@@ -331,7 +334,7 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
         root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
         sides += [divide(middle - root, square), divide(middle + root, square)]
     if k > 0:
-        # Candidates on the two planes that touch the cone along the whole move.
+        # Candidates for t from the two planes that touch the cone along the whole move.
         cos_touch = np.clip(uz / (k * safe_run), -1, 1)
         sin_touch = np.sqrt(1 - cos_touch**2)
         tilted = cosine * y + sine * (z + k * tool.tip)

@@ -90,8 +90,8 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
     flat, corner = tool.radius - tool.rounding, tool.rounding
     x, y, z = offset
 
-    # Both axes of the projection are perpendicular to the move: the axis of `across` is horizontal, and the axis of
-    # `above` points upwards.
+    # The projection along the move has two axes perpendicular to the move: the axis of `across` is horizontal, and the
+    # axis of `above` points upwards.
     across, above = y * ex - x * ey, z * cos_m - (x * ex + y * ey) * sin_m
     ray_across, ray_above = sine * ex, -cosine * cos_m - sine * ey * sin_m
     speed = np.hypot(ray_across, ray_above)
@@ -116,7 +116,7 @@ def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float,
             c, s = c0 + c1, s0 + s1
             norm = np.sqrt(c**2 + s**2)
             c, s = c / norm, s / norm
-        # Interpolate linearly: the contour is nearly straight between the two normals, which are close to each other.
+        # Interpolate linearly: the contour is nearly straight between the two normals that the bisection found.
         first, last = contact(c0, s0), contact(c1, s1)
         height0 = first[0] * na + first[1] * nb
         height1 = last[0] * na + last[1] * nb

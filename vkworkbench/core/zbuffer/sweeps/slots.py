@@ -23,9 +23,9 @@ import numpy as np
 # smaller length would turn rounding errors into missed rays, and a larger length would make the floors of slots
 # noticeably too low.
 ROUNDING = 1e-7
-# Largest absolute cosine of the view's tilt from the vertical at which rays are treated as horizontal. A horizontal ray
-# does not cross the floor of a slot. With a smaller limit, dividing by the cosine would magnify rounding errors. With a
-# larger limit, sloped rays would be treated as if they did not cross the floor.
+# Rays are treated as horizontal if the absolute cosine of the angle between the view and the vertical is at most this
+# value. A horizontal ray does not cross the floor of a slot. With a smaller limit, dividing by the cosine would magnify
+# rounding errors. With a larger limit, sloped rays would be treated as if they did not cross the floor.
 FROM_THE_SIDE = 1e-9
 # Smallest denominator that is allowed; it prevents a division by 0.
 _TINY = 1e-300
@@ -80,7 +80,7 @@ def sloped_slot(
     """Compute the same depths as `level_slot` for moves of any slope; the rays must not be horizontal."""
     x, y, z = offset
     ux, uy, uz = move
-    if cosine < 0:  # reverse the ray, so that the cosine is positive
+    if cosine < 0:  # compute with the reversed ray, whose cosine is positive
         near, far = sloped_slot(radius, (x, -y, z), np.array([ux, -uy, uz]), sine, -cosine)
         return -far, -near
     walls = _Walls(radius, x, ux, uy)
@@ -89,7 +89,7 @@ def sloped_slot(
     # rate), measured from the tool's axis.
     tangent, slope = sine / cosine, cosine / sine
     # Rise of the slot's floor relative to the ray over the whole move. For a move along the ray, the exact rise is 0
-    # and this value is a rounding error. Every formula below must use this same value.
+    # and the computed rise is a rounding error, so all formulas below use this one value.
     rise = slope * uy + uz
     beyond, rate = y + tangent * z, tangent * rise
     square = np.maximum(ux**2 + rate**2, _TINY)
@@ -139,7 +139,7 @@ def ball_slot(
     walls = _Walls(radius, x, ux, uy)
     slope = cosine / sine
     rise = slope * uy + uz
-    # Components of the offset and of the move: along the ray, and perpendicular to the ray (upwards).
+    # Components of the offset and of the move: parallel to the ray, and perpendicular to the ray (upwards).
     forward, upward = sine * y - cosine * z, cosine * y + sine * z
     along_ray, across_ray = sine * uy - cosine * uz, cosine * uy + sine * uz
     length2 = np.maximum(ux**2 + uy**2 + uz**2, _TINY)
@@ -199,7 +199,7 @@ class _Walls:
     def __init__(self, radius: float, x: np.ndarray, ux: np.ndarray, uy: np.ndarray) -> None:
         self.radius, self.x, self.uy = radius, x, uy
         run = np.sqrt(ux**2 + uy**2)
-        # True for moves that are horizontally parallel to the ray, up to rounding.
+        # True for moves whose horizontal direction is parallel to the ray, up to rounding.
         along = np.abs(ux) <= 1e-12 * run
         self.ux = np.where(along, 0.0, ux)
         self.inverse = np.where(along, 0.0, 1 / np.where(along, 1.0, ux))
@@ -221,7 +221,7 @@ class _Walls:
         return _signed_root(np.maximum(self._half2(t), 0), sign)
 
     def at(self, t: np.ndarray, sign: int) -> np.ndarray:
-        """Return the horizontal distance from the start of the move to the wall of the tool if the tool is at `t`, mm.
+        """Return the horizontal distance from the start of the move to the wall of a tool at the position `t`, mm.
 
         The distance is measured along the ray. The distance is NaN if the ray passes beside the tool.
         """
@@ -245,7 +245,7 @@ def _signed_root(square: np.ndarray, sign: int) -> np.ndarray:
 
 
 def _on_move(t: np.ndarray) -> np.ndarray:
-    """Clip positions to 0 .. 1, the ends of the move, in place; return the array."""
+    """Clip positions on the move to the range from 0 to 1, in place; return the array."""
     np.maximum(t, 0, out=t)
     np.minimum(t, 1, out=t)
     return t
