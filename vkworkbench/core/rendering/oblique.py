@@ -6,7 +6,7 @@ higher on the screen, and a point that is 1 mm higher appears cos(e) mm higher o
 the columns of material that can appear there are visited from front to rear. The horizon is the greatest screen height
 of the rear edges of the tops visited so far. A pixel sees the first column of material at which the horizon reaches the
 pixel. If the pixel is below the front edge of the column's top, it sees the column's wall; otherwise it sees the top. A
-second horizon, the smallest screen height so far, belongs to the lower ends of the columns.
+second horizon is the smallest screen height of the lower ends of the columns visited so far.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     Parameters
     ----------
     layer : Layer
-        The layer to draw. For a view from below, the layer turned upside down.
+        The layer to draw. For a view from below, this layer is turned upside down.
     of_layer : Frame
         Frame in which the layer was simulated, from above.
     frame : Frame

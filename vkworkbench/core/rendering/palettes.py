@@ -90,8 +90,8 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
     left, gouged : ndarray
         Height of the excess stock above the model, and depth of the gouge below the model, mm, at least 0.
     model : ndarray of bool
-        Whether each pixel shows the model. At pixels that do not show the model, `left` is the excess stock in its
-        through holes.
+        Whether each pixel shows the model. At pixels that do not show the model, `left` is the excess stock in the
+        model's through holes.
     tolerance : float
         Largest height that does not count as a deviation, mm. `DEEPEST` times the tolerance has the darkest colour.
     """

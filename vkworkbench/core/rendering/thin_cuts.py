@@ -46,7 +46,7 @@ class ThinCuts(NamedTuple):
 def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
     """Return the points of narrow cuts at which the tool's tip is below the surface and the nearest ray was not cut.
 
-    The neighbours of such points along the path are included.
+    Up to `_BESIDE` points before and after a returned point along the path are included, too.
 
     Parameters
     ----------

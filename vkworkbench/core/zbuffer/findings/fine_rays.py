@@ -155,7 +155,7 @@ class FineRays:
     def _needed(self, tiles: Tiles) -> Tiles:
         """Return the tiles that a trajectory whose pieces are still to be yielded (a wanted trajectory) can cut.
 
-        In each tile, the trajectories after its last wanted trajectory are dropped.
+        From the list of each tile, the trajectories after the last wanted trajectory are dropped.
         """
         at = np.flatnonzero(self._wanted[tiles.item])
         end = tiles.first[:-1].copy()

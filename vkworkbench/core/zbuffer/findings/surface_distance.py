@@ -22,7 +22,7 @@ _AT_ONCE, _PAIRS = 256, 500_000
 # ratio of consecutive radii. In the last sparse search, this ratio is close to 1, because pixels between two circles
 # are skipped.
 _SPARSE = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
-_RADII_AT_ONCE = (8, 64, 256)  # limits of the groups of radii, pixels, that are searched in one step
+_RADII_AT_ONCE = (8, 64, 256)  # radii, pixels, that divide the circles into batches
 # Complete search around a pixel, ring by ring. _WIDTH: ratio of a ring's outer radius to its inner radius. _FINE: inner
 # radius of a ring divided by the spacing of the pixels searched in the ring; the spacing is at least one pixel.
 _WIDTH, _FINE = 1.05, 64

@@ -118,7 +118,8 @@ def thin_gouges(
         for size in np.unique(sizes).tolist():
             own = np.flatnonzero(sizes == size)
             rays = FineRays(numbered, stock, size)
-            # One search is used for all distances between rays, because the images have the same axes and centre.
+            # `search` collects the points for all distances between rays, because the images with these distances have
+            # the same axes and centre.
             search = search or _Search(seen.model, rays.trajectories.frame, least, going_on)
             for part in parts_of(numbered.lengths[moves[own]] / half_width[own]):
                 if time.monotonic() > end:

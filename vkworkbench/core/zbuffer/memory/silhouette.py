@@ -72,7 +72,7 @@ def polygon_area(outline: list[list[float]]) -> float:
 
 
 def clip(outline: list[list[float]], axis: int, side: int, limit: float) -> list[list[float]]:
-    """Return the part of a convex polygon where ``side * coordinate <= limit``."""
+    """Return the part of a convex polygon with ``side * coordinate along axis <= limit``."""
     corners = []
     for p, q in zip(outline, outline[1:] + outline[:1]):
         here, there = limit - side * p[axis], limit - side * q[axis]

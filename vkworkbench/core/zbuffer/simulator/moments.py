@@ -101,7 +101,7 @@ class ZBuffer:
 
     @property
     def traces(self) -> int:
-        """Number of trace elements that trajectories before this moment removed."""
+        """Number of trace elements that trajectories before this moment of the simulation removed."""
         return int(np.count_nonzero(self.records.cut & (self.records.owner < self.step)))
 
     @property
@@ -178,8 +178,8 @@ class ZBuffer:
         Parameters
         ----------
         step : int
-            Number of simulated trajectories, from 0 (the uncut stock) to `trajectories` (the finished part). The moment
-            before cut `i` is ``cuts.first[i]``.
+            Number of simulated trajectories, from 0 (the uncut stock) to `trajectories` (the finished part). For the
+            moment before the cut `i`, `step` is ``cuts.first[i]``.
 
         Raises
         ------

@@ -95,7 +95,7 @@ class _Shared:
 
     @property
     def left(self) -> int:
-        """Number of pending regions."""
+        """Number of regions that wait to be cut."""
         return len(self._todo)
 
     def divide(self, processes: int) -> None:
@@ -111,7 +111,7 @@ class _Shared:
                 self._todo.extend(self._regions[band])
 
     def take(self) -> Region | None:
-        """Return the next pending region, or None if no region is pending."""
+        """Return the next region that waits to be cut, or None if no region waits."""
         with self._changed:
             return self._todo.popleft() if self._todo else None
 
@@ -123,7 +123,7 @@ class _Shared:
             self._changed.notify()
 
     def give_back(self, region: Region) -> None:
-        """Make a region pending again."""
+        """Let a region wait again until it is cut."""
         with self._changed:
             self._todo.appendleft(region)
             self._changed.notify()

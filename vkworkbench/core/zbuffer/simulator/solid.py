@@ -155,7 +155,7 @@ class _Lattice:
     ----------
     points : (k, 3) int64
     size : tuple of int
-        Number of grid lines along columns and rows, and number of layers of depths.
+        Number of grid lines along columns and rows, and number of different depths.
     """
 
     def __init__(self, points: np.ndarray, size: tuple[int, int, int]) -> None:

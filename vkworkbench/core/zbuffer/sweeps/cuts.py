@@ -111,7 +111,7 @@ class Cuts:
         return np.concatenate((nothing, *starts)), np.concatenate((nothing, *ends))
 
     def blocks(self, size: int) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield batches of `size` trajectories: their cuts, (k,) int64, and their start and end points, (k, 3) mm."""
+        """Yield batches of `size` trajectories: numbers of their cuts, (k,) int64, and start and end points, (k, 3) mm."""
         own = [np.asarray(cut.toolpath.points, float) for cut in self.cuts if len(cut.toolpath)]
         points = np.concatenate((np.empty((0, 3)), *own))
         ahead = np.cumsum(np.diff(self.first) > 0) - 1  # each toolpath has one more point than trajectories
