@@ -226,7 +226,7 @@ def huge_tool(document):
 
 def tiny_tool(document):
     op = lone(document, SLOT)
-    op.ToolController.Tool.Diameter = 0.01
+    op.ToolController.Tool.Diameter = 1e-3
 
 
 def tiny_stock(document):
@@ -252,7 +252,7 @@ def large_part(document):
 
     lone(
         document,
-        [f"G{0 if place == 0 else 1} X{place} Y{place % 20000} Z-200 F3000" for place in range(0, 60_000, 2000)],
+        [f"G{0 if place == 0 else 1} X{place} Y{place % 20000} Z-200 F3000" for place in range(0, 60_000, 500)],
     )
     stock = document.addObject("Part::FeaturePython", "Large")
     stock.Shape = Part.makeBox(60_000, 20_000, 3000)
@@ -277,7 +277,7 @@ def only_drilling(document):
 
 
 def all_crashes(document):
-    lone(document, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 1.2 * row} Z{23 - 0.12 * row}" for row in range(50)])
+    lone(document, [f"G0 X{10 + 100 * (row % 2)} Y{5 + 0.6 * row} Z{23 - 0.06 * row}" for row in range(100)])
 
 
 def many_operations(document):
