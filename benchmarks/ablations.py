@@ -38,7 +38,7 @@ def adaptive(step: float) -> Toolpath:
 
 
 def samples():
-    """Yield toolpaths with their tools and stocks."""
+    """Yield the toolpaths that are simulated, with their tools and stocks."""
     for _, toolpath, tool, stock in list(operations(np.random.default_rng(5)))[::9]:
         yield toolpath, tool, stock
     for step in (0.9, 0.225):

@@ -4,9 +4,9 @@
     MALLOC_PERTURB_=255 xvfb-run -a freecad $PWD/benchmarks/freecad_undo.py
 
 FreeCAD creates a job in several undo steps. The last recorded step is *Create ToolBit*. The link from the tool
-controller to this tool is not part of a step. So the undo removes the tool, but not the link. The next action deletes
-the redo steps and frees the tool, and the next recompute follows the link into freed memory. MALLOC_PERTURB_ fills
-freed memory, so that FreeCAD crashes at once. The script does not import the add-on.
+controller to the new tool is not part of an undo step. So the undo removes the tool, but not the link to the tool. The
+next action deletes the redo steps and frees the tool, and the next recompute follows the link into freed memory.
+MALLOC_PERTURB_ fills freed memory, so that FreeCAD crashes at once. The script does not import the add-on.
 """
 
 import os

@@ -4,8 +4,9 @@
     python3 benchmarks/inches.py FILE...
 
 FILE is an NC program, a folder of programs, or a ``.jsonl.gz`` file of operations with ``commands`` and
-``tool_diameter`` in FreeCAD's units. For each kind of file, the script prints how often the guess is inches at both
-sizes, and how many toolpaths get the same strategy at both sizes, with `recognize` and with `recognize_inches`.
+``tool_diameter`` in FreeCAD's units. For each kind of file, the script prints how often the guessed unit is inches, for
+the toolpaths in mm and for the same toolpaths divided by 25.4, and how many toolpaths get the same strategy at both
+sizes, with `recognize` and with `recognize_inches`.
 """
 
 from __future__ import annotations

@@ -4,10 +4,10 @@
 
     python3 benchmarks/intent.py FILE.jsonl.gz ...
 
-Each FILE contains operations from FreeCAD in the form that recognition.py reads. A label is the operation's kind,
-followed by its pattern if it has one. With the operation's own name, every remark is wrong. Each operation also gets
-the name of another random operation whose accepted strategies belong to other families. With this name, every remark is
-right. The script needs numpy only.
+Each FILE contains operations from FreeCAD in the form that records.py describes. A label is the operation's kind,
+followed by its pattern if it has one. A remark that a toolpath contradicts its operation's own name is always wrong.
+Each operation also gets the name of another random operation whose accepted strategies belong to other families. A
+remark that the toolpath contradicts this other name is always right. The script needs numpy only.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ KINDS = ("Adaptive", "Deburr", "Drilling", "Engrave", "Helix", "Profile", "Slot"
 
 
 def called(label: str) -> str | None:
-    """Return the name that is compared: the pattern if the label has one, otherwise the kind."""
+    """Return the part of a label that is compared with the toolpath: the pattern if given, otherwise the kind."""
     kind, *rest = label.replace("+", ":").split(":")
     if kind in KINDS:
         return kind

@@ -80,7 +80,7 @@ def estimates(cuts, stock, view, speed):
 
 
 def summed(alone) -> zbuffer.ZBufferCost:
-    """Return the sum of the operations' costs, as for operations that are known from their marks alone."""
+    """Return the sum of the operations' costs, as the add-on does if operations are known only from their marks."""
     return zbuffer.together([zbuffer.ZBufferCost(e.seconds, e.memory_bytes, e.factor, e.stock_bytes) for e in alone])
 
 
@@ -117,7 +117,7 @@ def spread(values) -> str:
 
 
 def analyses(document) -> None:
-    """Print how long an analysis of the example takes: without z-buffer costs, with them, and with the total."""
+    """Print how long an analysis of the example job takes: without z-buffer costs, with costs, with the total cost."""
     least = [np.inf] * 3
     for _ in range(RUNS):
         RESULTS.clear()

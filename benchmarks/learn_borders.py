@@ -4,8 +4,8 @@
 
     python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
 
-PROGRAMS contains whole programs and OPERATIONS contains single operations, in the forms that benchmarks/recognition.py
-reads. Random pairs of operations from the same part are also joined by a rapid, so that the border between them is
+PROGRAMS contains whole programs and OPERATIONS contains single operations, in the forms that benchmarks/records.py
+describes. Random pairs of operations from the same part are also joined by a rapid, so that the border between them is
 certain. The printed accuracy is measured by cross-validation: each tenth of the repositories and parts is judged by a
 model that was learned without this tenth. The script needs the version of scikit-learn in tests/tools.txt.
 """
@@ -84,7 +84,7 @@ def learn(x, y, weight) -> Trees:
 
 
 def left_out(x, y, group, weight) -> tuple[dict[str, Trees], np.ndarray]:
-    """Learn without each fold of groups in turn.
+    """Learn the trees several times, each time without one fold of the groups.
 
     Return for every group the trees that were learned without it, and for every retract the share of votes that it
     is a border.

@@ -6,8 +6,8 @@
 Every toolpath of toolpaths/synthetic.py and zbuffer_cases.py is simulated with tools of two or four shapes, in two of
 five image sizes and in one of four views. The processor time is the better of two runs. The processor time is modelled
 as a sum of amounts of work times unknown costs. The costs minimise the squared relative errors, are not negative, and
-are drawn slightly towards usual costs. The script prints the errors for toolpaths that were left out of the fit, the
-tables of effort.py and the constants of `Speed`. benchmarks/resources.py tests with other toolpaths.
+are pulled slightly towards usual costs. The script prints the errors for toolpaths that were left out of the fit, the
+tables of effort.py and the constants of `Speed`. benchmarks/resources.py tests the learned costs with other toolpaths.
 """
 
 from __future__ import annotations

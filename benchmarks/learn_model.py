@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn the model of the recognition from the table alone, and judge the model on sources left out of the learning.
+"""Learn the model of the recognition from the labelled operations, and judge it on sources left out of the learning.
 
     python3 benchmarks/learn_model.py              # learns and writes vkworkbench/core/recognition/verdict/model.npz
     python3 benchmarks/learn_model.py --check      # fails if the shipped model is not the one that the table gives
@@ -36,8 +36,8 @@ from vkworkbench.core.recognition.verdict.model import FILE, Model, Trees, log_o
 VALUES = tuple(s.value for s in STRATEGIES)
 UNKNOWN = STRATEGIES.index(Strategy.UNKNOWN)
 FOLDS = 10
-#: Weights of a row for learning the strategies, the nonsense toolpaths, and the confidence. Programs have large
-#: weights, because users have programs, but the table has few of them.
+#: Weights of a table row, by its kind, for learning the strategies, the nonsense toolpaths, and the confidence.
+#: Programs have large weights, because users have programs, but the table has few of them.
 WEIGHTS = {
     "program": (4.0, 6.0, 1.0),
     "program, told": (3.0, 0.0, 1.0),
@@ -57,7 +57,7 @@ SHARES = 255  # number of votes that a leaf divides among the classes
 
 @dataclass
 class Examples:
-    """The n rows of the table.
+    """The n rows of the table of labelled operations.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class Examples:
 
     @classmethod
     def read(cls, table: Path = TABLE) -> Examples:
-        """Read the table."""
+        """Read the table of labelled operations."""
         with open(table, newline="") as file:
             rows = list(csv.DictReader(file))
         measures = [name for name in rows[0] if name not in COLUMNS]
@@ -127,7 +127,7 @@ class Examples:
 
 
 def kind_of(row: dict[str, str], *, told: bool, tool: bool) -> str:
-    """Return the key of a row's WEIGHTS. `told` means that another row of the operation has its tool."""
+    """Return the key of a row's WEIGHTS. `told`: another row of the operation has the tool."""
     if row["kind"] == "program" and tool:
         return "program, told"
     return "freecad without tool" if row["kind"] == "freecad" and told and not tool else row["kind"]
@@ -204,7 +204,7 @@ class LeftOut:
 
 
 def leave_out(e: Examples, by: str) -> LeftOut:
-    """Learn without each fold of groups or of systems in turn, and return the verdicts on the folds."""
+    """Learn several times, each time without one fold of the groups or systems; return the verdicts on the folds."""
     fold, weight = e.folds(by), e.weight(2)
     said, share, models = np.empty(len(fold), int), np.empty(len(fold)), []
     for k in range(FOLDS):

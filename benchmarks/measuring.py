@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run FreeCAD's simulators and print their times, for benchmarks/simulators.py and its two windows."""
+"""Run FreeCAD's simulators and print their times, for simulators.py, simulators_window.py and simulators_opengl.py."""
 
 from __future__ import annotations
 
@@ -33,8 +33,9 @@ def shape(tool):
 def in_rounds(runs):
     """Run each simulation, given as a kind and a function, a few times in turns.
 
-    The simulations take turns, so that a slow minute of the computer affects only one time of each. Return the times of
-    each simulation, s, without the runs from which the host took time; None for a simulation that did not end.
+    The simulations take turns, so that a slow minute of the computer affects only one run of each simulation. Return
+    the times of each simulation, s, without the runs from which the host took time; None for a simulation that did not
+    end.
     """
     times = [[] for _ in runs]
     for turn in range(max(ROUNDS.values())):

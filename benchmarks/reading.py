@@ -39,7 +39,7 @@ SIDE = 100.0  # side of the job's block, mm
 
 
 def scan(count=COUNT, columns=250):
-    """Return the words of a zigzag over a wavy surface."""
+    """Return the commands of a zigzag over a wavy surface."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 0.0, "Y": 0.0})]
     rows = max(1, (count - 2) / columns)
     for k in range(count - 2):
@@ -51,7 +51,7 @@ def scan(count=COUNT, columns=250):
 
 
 def zigzag(count):
-    """Return the words of a zigzag at ten depths. The stepover is computed from the number of commands."""
+    """Return the commands of a zigzag at ten depths. The stepover is computed from the number of commands."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 10.0, "Y": 10.0})]
     rows = max(2, count // DEPTHS // 2)
     for depth in range(DEPTHS):
@@ -64,7 +64,7 @@ def zigzag(count):
 
 
 def offsets(count):
-    """Return the words of nested squares with rounded corners, from the outside inwards, at ten depths."""
+    """Return the commands of nested squares with rounded corners, from the outside inwards, at ten depths."""
     words = [("G0", {"Z": 30.0}), ("G0", {"X": 50.0, "Y": 10.0})]
     loops, r = max(2, count // DEPTHS // 9), 4.0
     for depth in range(DEPTHS):
@@ -86,7 +86,7 @@ def offsets(count):
 
 
 def adaptive(count):
-    """Return the words of rows of trochoidal loops, divided into chords, at two depths."""
+    """Return the commands of rows of trochoidal loops, divided into chords, at two depths."""
     words, chords = [("G0", {"Z": 30.0}), ("G0", {"X": 6.0, "Y": 6.0})], 24
     loops = (count - 2) // chords // 2 + 1
     rows = max(1, round(math.sqrt(loops / 3)))
@@ -103,7 +103,7 @@ def adaptive(count):
 
 
 def bores(count):
-    """Return the words of helices of half circles in rows of holes."""
+    """Return the commands of helices of half circles in rows of holes."""
     words, turns = [("G0", {"Z": 30.0})], 40
     holes = -(-count // (2 * turns + 4))
     side = math.ceil(math.sqrt(holes))
@@ -129,7 +129,7 @@ def bores(count):
 
 
 def waterline(count):
-    """Return the words of wavy contours at many heights. Lower contours are wider."""
+    """Return the commands of wavy contours at many heights. Lower contours are wider."""
     words, points = [("G0", {"Z": 30.0})], 180
     levels = max(1, (count - 1) // (points + 3))
     for level in range(levels):
@@ -145,7 +145,7 @@ def waterline(count):
 
 
 def holes(count):
-    """Return the words of drilling cycles."""
+    """Return the commands of drilling cycles."""
     side = math.ceil(math.sqrt(count))
     words = [("G0", {"Z": 30.0}), ("G90", {})]
     for k in range(count - 3):

@@ -6,12 +6,12 @@
     https://raw.githubusercontent.com]
 
 real_programs.csv names programs in public repositories, the lines of each operation, and the strategies that count as
-right. People labelled the operations from titles and plots, without seeing a verdict. The rules were written with the
-programs of real_programs.csv, but without the programs of real_programs_unseen.csv. The model is learned from the
-programs of both tables (make_table.py). The programs belong to their owners and stay in FOLDER, together with
-operations.jsonl.gz and programs.jsonl.gz. The file told.jsonl.gz contains the operations whose tool is stated in the
-program, with the tool's diameter. The script leaves out programs that cannot be fetched or whose text has changed, and
-prints their names.
+right. People labelled the operations from titles and plots, before they saw the recognised strategies. The rules were
+written with the programs of real_programs.csv, but without the programs of real_programs_unseen.csv. The model is
+learned from the programs of both tables (make_table.py). The programs belong to their owners and stay in FOLDER,
+together with operations.jsonl.gz and programs.jsonl.gz. The file told.jsonl.gz contains the operations whose tool is
+stated in the program, with the tool's diameter. The script leaves out programs that cannot be fetched or whose text has
+changed, and prints their names.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Labelled:
     first, end : int
         The operation consists of the program's trajectories first .. end - 1.
     tool : float or None
-        Diameter of the tool that the program states, mm; None if it states none.
+        Diameter of the tool that the program states, mm; None if unknown.
     """
 
     row: dict[str, str]

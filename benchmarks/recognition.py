@@ -5,7 +5,7 @@
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz] [--sources | --speed]
 
 FILE contains operations, and PROGRAMS contains whole programs with their sections. records.py describes both forms.
-Toolpaths that differ by less than a micrometre count once. Operations of FILE are also joined to pairs, and
+Toolpaths that differ by less than a micrometre count once. Operations of FILE are also joined in pairs, and
 toolpaths/nonsense.py makes nonsense paths. The shipped trees may have been learned from FILE. Therefore --sources
 prints the accuracy on sources that were left out of the learning, which needs scikit-learn (see learn_model.py) and
 some minutes. --speed measures only the time. Without files, the toolpaths of toolpaths/synthetic.py and strokes.py are
@@ -36,7 +36,7 @@ WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # operations whose StepOv
 
 
 def accuracy(files: list[str]) -> None:
-    """Print the confusion of strategies, the rates and the reliability of the confidence."""
+    """Print which strategies are confused, the shares of right verdicts, and the reliability of the confidence."""
     by_label = collections.defaultdict(lambda: [0, 0])
     confusion: collections.Counter = collections.Counter()
     answers, two, moves, seconds = [], [0, 0], 0, 0.0

@@ -40,7 +40,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Record:
-    """A labelled toolpath. `group` is its repository or part, and `system` is its CAM system.
+    """A labelled toolpath. `group` is the toolpath's repository or part, and `system` is its CAM system.
 
     Each kind of synthetic toolpath is a separate group and a separate system.
     """

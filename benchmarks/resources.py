@@ -7,8 +7,8 @@ Each line of a file is an operation: label, strategy, accept, tool_diameter, sto
 operations come from toolpaths/synthetic.py. The exact simulations run at 800 x 600 pixels. Simulations with many
 candidate pixels run at 400 x 300 pixels to limit their time, although small holes are then not round. Errors are ratios
 of the larger to the smaller of estimate and exact value. Times are processor times. The speed of a shared computer
-changes, so the speed is measured before each operation, and for a time budget also between its three simulations. With
-`time`, the script only predicts the time of a simulation, for every third operation.
+changes, so the speed is measured before each operation, and for a time budget also between the three simulations of an
+operation. With `time`, the script only predicts the time of a simulation, for every third operation.
 """
 
 from __future__ import annotations

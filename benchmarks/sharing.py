@@ -3,8 +3,8 @@
 
     python3 benchmarks/sharing.py
 
-The script simulates the cases of zbuffer_cases.py at 800 x 600 pixels, from above and obliquely, with one and with
-several processes in turns. The script prints the wall time of one process, the measured and the predicted gain of two
+The script simulates the cases of zbuffer_cases.py at 800 x 600 pixels, from above and obliquely, alternately with one
+and with several processes. The script prints the wall time of one process, the measured and the predicted gain of two
 processes (and of more, if there are more cores), and the gain of two threads, as medians of several turns. The script
 checks that the dexels and trace elements of all simulations are exactly equal. The results are valid only on an idle
 computer.

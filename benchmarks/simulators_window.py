@@ -88,7 +88,7 @@ def open_panel():
     """Open the legacy simulator's panel for the open job, with one operation, which `simulate` replaces."""
     old = freecad.version() < (1, 0, 0)
     module = importlib.import_module("PathScripts.PathSimulatorGui" if old else "Path.Main.Gui.Simulator")
-    for other in FreeCAD.ActiveDocument.Objects:  # the view is fitted to the simulated part
+    for other in FreeCAD.ActiveDocument.Objects:  # hidden, so that the view is fitted to the simulated part only
         other.Visibility = False
     panel = module.PathSimulation()
     panel.Activate()

@@ -6,7 +6,7 @@
 
 Each threshold is divided by 1,000, halved, doubled and multiplied by 1,000. Shares, cosines and angles are also halved
 and doubled, but then set to the ends of their range. The toolpaths come from toolpaths/synthetic.py, strokes.py and the
-files (in the form that recognition.py reads). NAME, such as ROWS or ROWS.MAX_DISTANCE, selects thresholds. The script
+files (in the form that records.py describes). NAME, such as ROWS or ROWS.MAX_DISTANCE, selects thresholds. The script
 needs numpy only.
 
 For each new value, the script prints the number of verdicts that change, the number of right verdicts that become wrong

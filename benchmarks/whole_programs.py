@@ -108,7 +108,7 @@ def report_programs(file: str, learn=lambda group: None) -> None:
 
 
 def report_joined(records: list[Record], learn=lambda group: None) -> None:
-    """Print how many pairs of operations, joined by a rapid, are separated. `learn` is as in `report_programs`."""
+    """Print how many pairs of operations, joined by a rapid, are separated. For `learn`, see `report_programs`."""
     single = [r for r in records if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:

@@ -9,7 +9,7 @@ script also tests every trajectory on every ray that the trajectory passes, in a
 long, and prints the ratio of this time to the time with culling. Then the script prints how the time grows with the
 number of trajectories, the time to show any moment of a simulation, and, without `quick`, the cost of a million
 trajectories. The times depend on the computer, and only ratios are comparable. benchmarks/zbuffer_freecad.py compares
-with FreeCAD.
+the z-buffer with FreeCAD's PathSimulator.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def tried(toolpath, tool, stock, view) -> int:
 
 
 def tried_in(toolpath, tool, stock, direction) -> View:
-    """Return the largest image for which the test without culling is fast enough."""
+    """Return the view with the largest image for which a simulation without culling is fast enough."""
     views = [View(direction, width, width * 3 // 4) for width in (800, 400, 200)]
     passes = (estimate(toolpath, None, tool=tool, stock=stock, view=view).candidates for view in views)
     return next((view for view, pairs in zip(views, passes) if pairs < MOST_TRIED), views[-1])

@@ -7,10 +7,10 @@
 The number of sound jobs is four times JOBS. Each job cuts a pocket at a random place in a block of 20 to 600 mm, at
 several depths by rows and a contour, with a tool of 0.1 to 20 mm. Then some holes are drilled and some lines are
 engraved around the pocket. Each fault has a random place and a random size. In the sound jobs, the shanks, holders,
-clamps and travel are only just sufficient. The benchmark prints each job with a wrong result. Then the script prints
-for each kind of fault the number of jobs, the number of jobs in which the fault is found with the right operation and
-command, and the number of jobs in which another fault is found. The jobs of each kind depend only on `SEED` and on the
-kind.
+clamps and travel are only just sufficient. The benchmark prints each job in which the fault was not found, or another
+fault was reported. Then the script prints for each kind of fault the number of jobs, the number of jobs in which the
+fault is found with the right operation and command, and the number of jobs in which another fault is found. The jobs of
+each kind depend only on `SEED` and on the kind.
 """
 
 from __future__ import annotations
@@ -193,7 +193,8 @@ class Job:
             if fault == "deep layer" and last:
                 self.made_by = 0, moves.commands
             if fault in BODIES and number == self.deep:
-                # A plunge with the flutes below the shank is not deeper than the flutes, but the row after it is.
+                # If the flutes are too short, the fault is not the plunge but the first move of the row after the
+                # plunge.
                 self.made_by = 0, moves.commands + (fault == "flutes")
             moves.feed(*low, z, FEED if fault == "fast plunge" and last else None)
             for k, y in enumerate(

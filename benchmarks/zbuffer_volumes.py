@@ -7,10 +7,10 @@ Each job has two operations with tools of 0.1 to 20 mm in a sheet or a block of 
 contours, slots, ramps, holes or circles, with flat, conical or ball-shaped ends, and some of them move beyond the edges
 of the stock. The exact volume is the integral, over the height, of the area that all tools have cut at this height. At
 each height, a straight move cuts all points within a radius of a segment. To compute the area of the union of these
-figures, lengths are integrated over parallel lines. On each line, the union is a union of intervals. This computation
-shares no code with the simulator. For operations and for whole jobs, the script prints the share of volumes within the
-stated error. The script also prints the largest and the mean deviation, and the largest stated error, in percent of the
-exact volume.
+figures, lengths are integrated over parallel lines. On each line, the union is a union of intervals. The computation of
+the exact volume shares no code with the simulator. For operations and for whole jobs, the script prints the share of
+volumes within the stated error. The script also prints the largest and the mean deviation, and the largest stated
+error, in percent of the exact volume.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def main(jobs: int = JOBS, seed: int = SEED) -> None:
         for k in range(len(cuts)):
             after = exact_volume(cuts[: k + 1], stock)
             row = after - before, measured.images[:, k].mean(), measured.error(range(k, k + 1))
-            # The second operation possibly cuts only where the first has cut, and then it has no volume to compare.
+            # If the second operation cuts only where the first has cut, there is no volume to compare.
             if row[0] > 1e-6 * after:
                 found.append(("operations", sheet, *row))
             before = after

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Make toolpaths of few moves, whose strategy is hard to recognise, as G-code commands.
 
-The makers have the same form as in synthetic.py, except that a maker can also return the tool's diameter, mm, with the
-commands. SAMPLES lists (label, strategies that count as right, maker).
+The functions have the same form as in synthetic.py, except that a function can also return the tool's diameter, mm,
+with the commands. SAMPLES lists (label, strategies that count as right, maker).
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Make nonsense toolpaths by random rules. Each kind is a whole family of curves. The makers return points (k, 2)."""
+"""Make nonsense toolpaths by random rules. Each function returns points (k, 2) of a random curve of its kind."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ COLUMNS = {
 
 
 def export(document, path, decimal_point="."):
-    """Write one line for each operation; return their number. With a decimal comma, semicolons separate the columns."""
+    """Write one line for each operation; return the number of lines. Decimal commas need semicolons as separators."""
     operations = vkworkbench.analyze(document).operations
     with open(path, "w", newline="", encoding="utf-8-sig") as file:  # with the byte order mark, Excel reads UTF-8
         writer = csv.writer(file, delimiter=";" if decimal_point == "," else ",")
