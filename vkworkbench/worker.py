@@ -167,7 +167,7 @@ def _receive(received: SimpleQueue[Any]) -> None:
 def _limit_memory(most: float | None) -> None:
     """Limit the memory that this process allocates from now on to `most` bytes."""
     if most is not None and sys.platform == "linux":
-        import resource  # the module does not exist on Windows
+        import resource  # the module `resource` does not exist on Windows
 
         # OpenBLAS allocates up to 128 MB at its first matrix product, and tries forever if the limit does not allow it.
         np.ones((_OF_BLAS, _OF_BLAS)) @ np.ones((_OF_BLAS, _OF_BLAS))

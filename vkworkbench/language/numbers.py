@@ -66,7 +66,8 @@ class Reader:
     def volume(self, cubic_millimetres: float, digits: int) -> str:
         """Return a volume as text, such as ``"212 mm³"``, with the given number of significant digits.
 
-        The unit is cubed from the unit in which the side of a cube with the volume would be shown.
+        The volume is shown in mm³ if the side of a cube with this volume would be shown in mm; likewise for other
+        units.
         """
         factor, unit = self.length_unit(cubic_millimetres ** (1 / 3))
         return f"{self.number(cubic_millimetres / factor**3, digits)} {unit}³"

@@ -140,7 +140,8 @@ class Results:
         self._form = form
         self.done: set[str] = set()
         self.unread: set[str] = set()
-        self._file: BinaryIO | io.FileIO  # no buffer, so that data that a full disk refused is not written again
+        # Without a buffer, because closing would write buffered data again that a full disk refused.
+        self._file: BinaryIO | io.FileIO
         if path == "-":
             self._file = sys.stdout.buffer
         else:
@@ -151,7 +152,7 @@ class Results:
             try:
                 self._write(form.header)
             except BaseException:
-                self.close()  # without this call, the file stays locked
+                self.close()  # if the file is not closed, it stays locked
                 raise
 
     def _begin(self, path: str, *, resume: bool) -> None:

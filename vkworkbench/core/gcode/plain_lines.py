@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Read many plain program lines at once, as columns. Most lines of most NC programs are plain.
+"""Read many plain program lines at once, as columns. Most lines of most NC programs are plain lines.
 
 A plain line contains only words of a straight move or an arc (G0 to G3, X, Y, Z, I, J, K, R, F) and a line number, and
 each letter at most once. An empty line is also plain. `PlainLines.read` adds the commands that the interpreter would

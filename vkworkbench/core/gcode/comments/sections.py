@@ -297,7 +297,7 @@ def _beside_a_move(program: Program, at: int, line: int) -> bool:
 def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
     """Return the comments that describe tools of later tool changes.
 
-    Each pair is the number of cuts before the comment, and the comment's text.
+    Each returned pair is the number of cuts before the comment, and the comment's text.
 
     A comment lists a later tool if its text is repeated at the change to another tool. A single repeated comment is not
     a list, because one description can fit several tools. A list between two cuts must contain comments on at least two

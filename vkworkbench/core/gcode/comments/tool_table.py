@@ -83,7 +83,8 @@ _IN_BOTH = re.compile(
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose in which a size does not describe a tool.
-_KIND = r"(?:\s*(?:flat|square|long|stub|hss|key(?:way|seat)?|woodruff|t-slot|dovetail))*"  # As in 1.5 KEY CUTTER.
+# Words between a diameter and the word for the tool, as in 1.5 KEY CUTTER.
+_KIND = r"(?:\s*(?:flat|square|long|stub|hss|key(?:way|seat)?|woodruff|t-slot|dovetail))*"
 _BARE = re.compile(
     rf"(?<![\w.,/#]){_SIZE}(?P<across>)(?P<unit>)(?={_KIND}\s*(?:{_MILLING_WORD}))",
     re.IGNORECASE,

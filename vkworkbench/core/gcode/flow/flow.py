@@ -108,7 +108,7 @@ class Flow:
         Returns
         -------
         Step or None
-            Effect of the statement on the lines that follow; None if the line contains no macro statement that can be
+            Effect of the macro statement on the lines that follow; None if the line contains no statement that can be
             parsed.
 
         Raises

@@ -120,7 +120,7 @@ def _centred(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, f
 def _unread(machine: Machine, letter: str, value: float) -> None:
     """Report a word that is not read. The word of a rotary axis is reported only if its value changes.
 
-    Before its first word, a rotary axis is at 0.
+    A rotary axis is at 0 until the axis's first word.
     """
     if letter not in ROTARY:
         machine.problem(Message("word-not-read", letter=letter))

@@ -39,8 +39,8 @@ FEED_MODES = (INVERSE_TIME, PER_MINUTE, PER_TURN)
 COMPENSATION, END_COMPENSATION = (410, 411, 420, 421), 400
 DWELL = 40
 
-# Known codes that do not move the tool. `linearize` reads the state that such a code sets, ignores the code, or reports
-# that the code is not read.
+# Known codes that do not move the tool. `linearize` reads the modal state that a known code sets, ignores the code, or
+# reports that the code is not read.
 STATES = (
     DWELL, 70, 80, 150, *PLANES, 200, 210, 400, *COMPENSATION, 430, 431, 432, 490, 500, 540, 550, 560, 570, 580, 590, 591, 592,
     593, 610, 611, 640, 690, CANCEL, ABSOLUTE, ABSOLUTE_CENTRES, RELATIVE, RELATIVE_CENTRES, 921, 922, *FEED_MODES, 960, 970,
@@ -89,7 +89,7 @@ _NAME = re.compile(r"([A-Z])0*(\d{1,9})(?:\.(\d))?", re.ASCII)
 def code_of(name: str) -> int:
     """Return the number for a command's name: ten times the number of a G-code, or a negative number defined above.
 
-    ``G01`` and ``g1`` have the same number. An empty name continues the last motion (a modal line).
+    ``G01`` and ``g1`` have the same number. A command with an empty name continues the last motion (a modal line).
     """
     name = name.strip().upper()
     if not name:

@@ -29,7 +29,7 @@ ROTARY = "ABC"
 _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
 _CORNERS = frozenset("IJKR")  # With I, J, K or R in a straight move, some controls round or chamfer the next corner.
-# s, largest P word of a dwell that is read in seconds. A larger P word is in ms, as on Fanuc controls.
+# Largest P word of a dwell that is read as seconds. A larger P word is read as ms, as on Fanuc controls.
 _LONGEST_DWELL = 60.0
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 

@@ -75,8 +75,8 @@ class Words:
         """Set the code of each command to its motion; return the indices and the values of all other codes, (m,) int.
 
         FreeCAD stores ``G90 G1 X45`` as G90 with the parameters G and X, and ``G90 X45`` as G90 with the parameter X.
-        Post processors write the words of such a command unchanged, so the machine moves the tool to X45. In the
-        command after a G28 without words, the axis words belong to the G28.
+        Post processors write the words of ``G90 X45`` unchanged, so the machine moves the tool to X45. In the command
+        after a G28 without words, the axis words belong to the G28.
 
         Parameters
         ----------

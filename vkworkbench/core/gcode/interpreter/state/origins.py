@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Store the origins of NC program coordinates: shifts (G52, G92) and work offsets (G54 to G59.3, set by G10).
 
-All values are in the coordinates of the toolpath. The origin of the toolpath is the work offset in force at the first
-move.
+All origins are stored in the coordinates of the toolpath. The origin of the toolpath is the work offset in force at the
+first move.
 """
 
 from __future__ import annotations
