@@ -17,14 +17,14 @@ def test_full_circles_do_not_outvote_an_arc_with_coordinates():
     assert abs(path.points[-1] - (20, 30, -1)).max() < 1e-9
 
 
-def test_arcs_with_a_radius_do_not_decide_about_centres():
+def test_arcs_with_a_radius_do_not_decide_how_centres_are_read():
     _, said = told("G2 X20 Y20 R9\nG2 X30 Y20 R9\nG2 X20 Y20 R9\nG2 X30 Y20 R9\nG3 X20 Y30 I20 J20\n")
     assert said == ["absolute-centres"]
 
 
-def test_full_circles_without_other_arcs_have_a_remark():
+def test_full_circles_whose_centres_are_ambiguous_have_a_remark():
     assert told("G2 X30 Y20 I-5 J-3\n")[1] == ["circles-alone"]
-    assert told("G2 I-5\n")[1] == []  # a centre given as coordinates needs I and J
-    assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # descending full circles are a helix
+    assert told("G2 I-5\n")[1] == []  # A centre given as coordinates would need both I and J.
+    assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # Descending full circles are a helix.
     assert told("G91.1\nG2 X30 Y20 I-5 J-3\n")[1] == []
-    assert told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []  # the second arc fits only if I and J are offsets
+    assert told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []  # The second arc fits only if I and J are offsets.

@@ -14,14 +14,14 @@ def path(text):
 
 
 def ends(text):
-    """Return the ends of lines and whole arcs after the plunge, X and Y with three decimals."""
+    """Return the end points of lines and of whole arcs after the plunge, X and Y with three decimals."""
     toolpath = path(text)
     keep = np.append(np.diff(toolpath.sweep) != 0, True) | (toolpath.sweep == 0)
     return (toolpath.points[1:][keep][1:, :2].round(3) + 0.0).tolist()
 
 
 def ignored(text):
-    """Return the letters and lines of the words that are ignored."""
+    """Return (letter, line number) of each ignored word."""
     return [
         (problem.what.arguments["letter"], problem.command)
         for problem in path(text).problems
@@ -64,11 +64,11 @@ def test_rounded_corners_follow_rotations_and_mirrors():
     assert ends("G51.1 X0\nX10 ,R2\nY10") == [[-8, 0], [-10, 2], [-10, 10]]
 
 
-def test_shift_after_a_relative_corner_uses_the_programmed_end():
+def test_g92_after_a_rounded_relative_move_uses_programmed_end():
     assert ends("G91 X10 ,R2\nY10\nG92 X0 Y0\nG90 X5")[-1] == [15, 10]
 
 
-def test_arcs_of_corners_do_not_decide_how_centres_are_read():
+def test_arcs_of_rounded_corners_do_not_decide_on_arc_centres():
     toolpath = path("G1 X10 ,R2\nY10 ,R2\nX0\nY20\nG2 X5 Y25 I5 J20")
     assert [problem.what.code for problem in toolpath.problems] == ["absolute-centres"]
     assert ends("G1 X10 ,R2\nY10 ,R2\nX0\nY20\nG2 X5 Y25 I5 J20")[:3] == [[8, 0], [10, 2], [10, 8]]
@@ -88,17 +88,17 @@ def test_corner_of_size_zero_stays_sharp_without_a_remark(size):
         "X10 ,R2\nG93 F9 Y10", "X10 ,R2\nG28 X0\nY10", "G41.1 D2 X10 ,R2\nY10\nG40 X0",
     ],
 )  # fmt: skip
-def test_corners_that_cannot_be_rounded_are_named(rest):
+def test_corners_that_cannot_be_rounded_have_a_remark(rest):
     line = 4 + rest.split(",R")[0].count("\n")
     assert ignored(rest) == [(",R", line)]
     assert ends(rest) == ends(rest.replace(" ,R-2", "").replace(" ,R2", "").replace(" ,R11", "").replace(" ,R6", ""))
 
 
-def test_two_corner_words_in_one_line_are_named():
+def test_two_corner_words_in_one_line_have_a_remark():
     assert sorted(ignored("X10 ,R2 ,C1\nY10")) == [(",C", 4), (",R", 4)]
 
 
-def test_only_the_corner_that_does_not_fit_is_named():
+def test_only_a_rounded_corner_that_does_not_fit_has_a_remark():
     text = "X10 ,R2\nY10 ,R30\nX0 ,R2\nY0"
     assert ignored(text) == [(",R", 5)]
     assert ends(text) == [[8, 0], [10, 2], [10, 10], [2, 10], [0, 8], [0, 0]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Canned cycles move the tool like a control does."""
+"""Canned cycles are converted to the moves that a control makes."""
 
 import numpy as np
 
@@ -14,19 +14,19 @@ def codes(text):
     return [problem.what.code for problem in read_program(text).toolpath().problems]
 
 
-def test_move_home_after_a_cycle_does_not_descend():
+def test_move_to_machine_home_after_a_cycle_does_not_descend():
     text = "G21 G90\nG0 X0 Y0\nG81 X10 Y0 Z-5 R2 F100\nG80\n{}\nG0 X5"
     for home in ("G28 Z0", "G30 Z0", "G53 G0 Z0", "G91 G28 Z0\nG90"):
         assert points(text.format(home))[-2:] == [[10, 0, 2], [5, 0, 2]]
 
 
-def test_move_home_rises_to_the_r_plane_of_a_cycle():
+def test_move_to_machine_home_rises_to_the_r_plane_of_a_cycle():
     commands = [("G0", {"X": 0, "Y": 0, "Z": 1}), ("G81", {"X": 5, "Z": -5, "R": 8, "F": 2}), ("G80", {}),
                 ("G0", {"Z": 1}), ("G28", {"Z": 0}), ("G0", {"X": 9})]  # fmt: skip
     assert linearize(commands).points[-1].tolist() == [9, 0, 8]
 
 
-def test_deep_hole_cycle_returns_at_rapid_above_last_peck():
+def test_deep_hole_cycle_returns_by_rapid_to_just_above_the_peck():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG99 G83 X1 Y1 Z-5 R2 Q3 F100\nG80").toolpath()
     returns = path.points[1:, 2][path.rapid][2:]
     assert returns.round(3).tolist() == [2, -0.746, 2, -3.746, 2]
@@ -79,18 +79,18 @@ def test_tool_rises_first_to_an_r_plane_above_the_start():
     ]  # fmt: skip
 
 
-def test_repeated_cycle_turns_by_the_same_angle():
+def test_cycle_with_relative_angle_repeats_holes_on_a_circle():
     text = "G21 G90\nG0 X10 Y0 Z5\nG91 G99 G81 ^90 Z-2 R-1 L3 F100\nG80"
     holes = [point[:2] for point in points(text) if point[2] == 2]
     assert holes == [[0, 10], [-10, 0], [0, -10]]
 
 
-def test_lower_r_plane_above_the_start_is_reached_first():
+def test_r_plane_above_the_series_start_is_reached_before_a_hole():
     """LinuxCNC compares R with the height at the start of the series, also after a hole with a higher R."""
     series = points("G21 G90\nG0 X0 Y0 Z0\nG81 X5 Z-5 R4 F100\nX9 R2\nG80")
     assert series[1:] == [[0, 0, 4], [5, 0, 4], [5, 0, -5], [5, 0, 4], [5, 0, 2], [9, 0, 2], [9, 0, -5], [9, 0, 2]]
 
 
-def test_shift_along_the_hole_also_moves_r():
+def test_g52_shift_along_the_hole_also_moves_the_r_plane():
     text = "G21 G90 G99\nG0 X20 Y0 Z0\nG52 X10 Z5\nG19 G81 Y1 X-4 R2 F100\nG80"
     assert points(text)[1:] == [[20, 1, 0], [12, 1, 0], [6, 1, 0], [12, 1, 0]]

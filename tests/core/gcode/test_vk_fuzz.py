@@ -36,7 +36,7 @@ def test_programs_that_once_failed_do_not_fail(seed):
 
 
 def test_flat_end_moving_almost_along_the_ray_does_not_fail():
-    result = fuzz.feed(62133)  # the view of this seed is not the view of `flat_program`
+    result = fuzz.feed(62133)  # This seed has another view than `flat_program`.
     assert not result.failed, result.outcome
 
 
@@ -72,7 +72,7 @@ HOSTILE = {
 
 
 @pytest.mark.parametrize("name", HOSTILE)
-def test_hostile_programs_are_read(name):
+def test_programs_written_to_break_the_reader_are_read(name):
     result = fuzz.feed_program(HOSTILE[name])
     assert result.outcome == "read", result.outcome
 

@@ -100,7 +100,7 @@ def test_chord_error_is_just_within_the_tolerance(tolerance):
 
 
 @pytest.mark.parametrize("name, i, j, sweep", [("G2", 5, 0, -np.pi), ("G3", 5, 0, np.pi), ("G3", 10, 0, 2 * np.pi)])
-def test_arc_keeps_its_exact_sweep_and_end(name, i, j, sweep):
+def test_chords_of_an_arc_keep_its_exact_sweep_and_end(name, i, j, sweep):
     end = {"X": 10.0, "Y": 0.0} if abs(sweep) < 4 else {"X": 0.0, "Y": 0.0}
     toolpath = path(START, (name, {**end, "I": i, "J": j}))
     assert toolpath.sweep.sum() == pytest.approx(sweep, abs=1e-12)
@@ -135,7 +135,7 @@ def test_arcs_turn_clockwise_seen_along_the_plane_normal(plane, centre, end, axe
     assert toolpath.sweep.sum() == pytest.approx(-np.pi / 2)
     assert set(toolpath.plane.tolist()) == {int(plane[1:])}
     middle = toolpath.points[len(toolpath) // 2]
-    assert middle[first] < middle[second]  # a clockwise quarter around (5, 0) begins along the second axis
+    assert middle[first] < middle[second]  # A clockwise quarter around (5, 0) begins along the second axis.
     assert toolpath.points[:, 3 - first - second].tolist() == [0] * (len(toolpath) + 1)
 
 
@@ -146,7 +146,7 @@ def test_helix_descends_evenly():
 
 
 def test_arc_with_a_radius_of_kilometres_is_a_line():
-    huge = 5e8  # rounding has put the centre on the wrong side, so the arc would be the rest of the circle
+    huge = 5e8  # Rounding has moved the centre to the wrong side, so the arc would be nearly a full circle.
     toolpath = path(
         START,
         ("G2", {"X": 100, "Y": 0, "I": 50, "J": 9e5}),
@@ -173,7 +173,8 @@ def test_arc_with_equal_end_points_is_a_full_circle():
 def test_circle_with_rounded_end_is_a_full_circle(code, sense, x, y):
     toolpath = path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1 + x, "Y": 2 + y, "I": -1.5, "J": 0}))
     assert toolpath.sweep.sum() == pytest.approx(sense * 2 * np.pi)
-    # An arc has no sweep if its end is farther from the centre than its start. An arc is short if its end is slightly
+    # The sweep is 0 if the end of the arc differs from its start only in the distance from the centre. An arc is short
+    # if its end is slightly
     # ahead of its start, whether the program gives the centre or the radius.
     assert path(("G0", {"X": 1, "Y": 2, "Z": 3}), (code, {"X": 1.5, "Y": 2, "I": -1.5, "J": 0})).sweep.sum() == 0
     for more in ({"I": -1.5, "J": 0}, {"R": 1.5}):
@@ -235,7 +236,8 @@ def test_rounding_does_not_add_a_peck():
     feeds = toolpath.points[1:][~toolpath.rapid]
     assert feeds[:, 2] == pytest.approx([-0.1 * k for k in range(1, 12)])
     at_retract = toolpath.points[1:][toolpath.rapid][:, 2] == 0
-    assert at_retract.sum() == 1 + 10  # the tool is there once on the way in, and 10 times between the pecks
+    # The tool is at the retract height once before the hole, and 10 times between the pecks.
+    assert at_retract.sum() == 1 + 10
 
 
 def test_hole_with_whole_pecks_ends_at_its_bottom():
@@ -257,7 +259,7 @@ def test_cycle_returns_to_its_start_height_or_r_plane():
     again = path(begin, ("G99", {}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
     assert again.points[-1, 2] == 5
     from_below = path(("G0", {"X": 0, "Y": 0, "Z": 0.5}), ("G98", {}), ("G81", {"X": 1, "Z": -2, "R": 1}))
-    assert from_below.points[-1, 2] == 1  # the R plane is higher than the start
+    assert from_below.points[-1, 2] == 1  # The R plane is higher than the start.
     no_height = path(("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1}))
     assert no_height.points[:, 2].max() == 1 and no_height.points[:, 2].min() == -2
 
@@ -276,15 +278,15 @@ def test_other_canned_cycles_reach_their_depth_once(name):
 @pytest.mark.parametrize(
     "words, feed",
     [
-        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # F is the pitch, as FreeCAD 1.1 writes it
-        ({"F": 400, "S": 500}, 400),  # F is the feed in mm/min, as in imported programs
+        ({"F": 0.8, "S": 500}, 0.8 * 500 / 60),  # F is the pitch of the thread, as FreeCAD 1.1 writes F.
+        ({"F": 400, "S": 500}, 400),  # F is the feed in mm/min, as in imported programs.
         ({"F": 6.5}, 6.5),
         ({"F": 0.8, "S": 0}, 0.8),
     ],
 )
 def test_tap_feed_is_pitch_times_speed(code, words, feed):
     tapped = linearize([("G0", {"X": 10, "Y": 5, "Z": 10}), (code, {"X": 10, "Y": 5, "Z": 0, "R": 4, **words})])
-    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # one feed move goes in, the other goes out
+    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # One feed move goes in, the other goes out.
 
 
 @pytest.mark.parametrize("feed", [-3.0, 0.0, 1e-7, float("nan"), float("inf")])
@@ -329,7 +331,7 @@ def test_words_with_unusable_numbers_are_named_and_skipped():
 
 
 @pytest.mark.parametrize("before", [[], [("G81", {"X": 1, "Y": 0, "Z": -2, "R": 1, "F": 1}), ("G80", {})]])
-def test_words_without_a_motion_move_nothing(before):
+def test_axis_words_without_a_motion_code_move_nothing(before):
     toolpath = path(*before, ("", {"X": 50}))
     assert [problem.what.code for problem in toolpath.problems] == ["words-without-motion"]
     assert 50 not in toolpath.points[:, 0]
@@ -355,7 +357,7 @@ def test_impossible_arcs_end_at_their_target(arc, message):
     assert toolpath.problems[0].message == message
 
 
-def test_arc_with_unknown_start_is_ignored():
+def test_arc_with_an_unknown_start_has_a_remark_and_no_chords():
     toolpath = path(("G2", {"X": 1, "Y": 1, "I": 1}), ("G1", {"X": 5}))
     assert messages(toolpath) == ["Command 1: An arc with an unknown start is ignored."]
     assert toolpath.points.tolist() == [[1, 1, 0], [5, 1, 0]]
@@ -383,7 +385,7 @@ def test_arc_needs_a_known_start_in_both_axes_of_its_plane():
     half = ("G2", {"X": 10.0, "Y": 0.0, "I": 5.0, "J": 0.0})
     told = [problem.what.code for problem in path(("G1", {"X": 0.0}), half).problems]
     assert told == ["arc-before-start"]
-    assert not path(("G1", {"X": 0.0, "Y": 0.0}), half).problems  # the height is not needed
+    assert not path(("G1", {"X": 0.0, "Y": 0.0}), half).problems  # An arc in the XY plane does not need a known height.
 
 
 def test_arc_with_centre_and_radius_uses_the_centre():
@@ -404,7 +406,7 @@ def test_arc_with_its_centre_at_its_start_is_a_line():
 
 
 def test_arc_centres_in_commands_are_always_offsets():
-    """Only centres in program files may be coordinates. FreeCAD's import converts all centres to offsets."""
+    """Arc centres can be coordinates only in program files. FreeCAD's import converts all centres to offsets."""
     arc = ("G2", {"X": 110.0, "Y": 100.0, "I": 105.0, "J": 100.0})
     assert [p.what.code for p in path(("G0", {"X": 100, "Y": 100, "Z": 1}), arc).problems] == ["arc-of-changing-radius"]
 
@@ -418,7 +420,7 @@ def test_radius_of_an_arc_may_change_slightly_along_the_arc(radius, grows, told)
     assert [problem.what.code for problem in found] == ["arc-of-changing-radius"] * told
 
 
-def test_hole_before_any_known_height_begins_at_0():
+def test_hole_without_a_known_start_height_begins_at_0():
     assert path(("G81", {"X": 5, "Y": 5, "Z": -2.0})).points[:, 2].tolist() == [0, -2, 0]
 
 
@@ -429,7 +431,7 @@ def test_radius_error_of_long_chord_may_be_larger():
 
 def test_arc_radius_changes_evenly_to_the_end():
     spiral = path(START, ("G3", {"X": 9.0, "Y": 0.0, "I": 5.0, "J": 0.0}), tolerance=1e-5).points
-    below = spiral[spiral[:, 1] < -1]  # half a turn, on which the radius changes from 5 to 4
+    below = spiral[spiral[:, 1] < -1]  # These points are on half a turn, on which the radius changes from 5 to 4.
     middle = below[np.argmin(np.abs(below[:, 0] - 5))]
     assert np.hypot(middle[0] - 5, middle[1]) == pytest.approx(4.5, abs=0.002)
 
@@ -484,7 +486,7 @@ def test_machine_position_in_x_and_y_is_ignored_with_a_remark():
     for away in ([("G53", {}), ("G0", {"X": 7, "Y": 9})], [("G28", {"X": 0})], [("G53", {}), ("G53", {"Y": 3})]):
         path = linearize([*begin, *away])
         assert path.points.tolist() == [[0, 0, 5], [0, 0, -5]] and not path.problems
-        assert not linearize(away).problems  # a program without other moves has no remark
+        assert not linearize(away).problems  # A program without other moves has no remark.
         path = linearize([*begin, *away, ("G1", {"X": 4})])
         assert path.points[1:].tolist() == [[0, 0, -5], [4, 0, -5]]
         assert [problem.what.code for problem in path.problems] == ["machine-position"]

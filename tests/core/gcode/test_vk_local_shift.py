@@ -35,7 +35,7 @@ def test_g52_uses_current_units_and_not_relative_moves():
 
 
 @pytest.mark.parametrize("code", ["G2 X10 Y0 I5 J0", "G90.1 G2 X10 Y0 I5 J0", "G2 X10 Y0 R5"])
-def test_shifted_arcs_keep_their_shape(code):
+def test_arcs_shifted_by_g52_keep_their_shape(code):
     there = np.array(points(f"G1 X0 Y0 Z-1\n{code}")[1:])
     shifted = np.array(points(f"G52 X100 Z2\nG1 X0 Y0 Z-1\n{code}")[1:])
     assert len(there) > 10
@@ -69,7 +69,7 @@ def test_g92_with_the_current_position_changes_nothing():
 def test_g92_shift_is_suspended_and_resumed():
     assert points("G1 X20\nG92 X0\nG92.2\nX1\nG92.3\nX1")[-2:] == [(1, 0, 5), (21, 0, 5)]
     assert points("G1 X20\nG92 X0\nG92.2\nG92 Y0\nG92.3\nX1")[-1] == (1, 0, 5)
-    assert points("G52 X50\nG1 X1\nG92.1\nX1")[-1] == (1, 0, 5)  # LinuxCNC has one common shift for G52 and G92
+    assert points("G52 X50\nG1 X1\nG92.1\nX1")[-1] == (1, 0, 5)  # LinuxCNC has one common shift for G52 and G92.
 
 
 def test_g52_shifts_absolute_arc_centres_under_g91():
@@ -85,7 +85,7 @@ def test_g92_at_an_unknown_position_is_ignored(away):
     assert any("G92 is ignored" in sentence for sentence in said(text))
 
 
-def test_position_for_g92_is_known_after_cycles():
+def test_g92_after_a_cycle_uses_the_position_after_the_cycle():
     assert points("G99 G81 X1 Y1 Z-4 R2 F100\nG80\nG92 Z0\nG1 Z1")[-1] == (1, 1, 3)
     assert points("G98 G91 G81 X1 Y1 Z-4 R-2 F100\nX1\nG80 G90\nG92 X0 Z0\nG1 X1 Z1")[-1] == (3, 1, 6)
 
@@ -101,7 +101,7 @@ def test_work_offsets_of_g10_l20_are_read():
     assert points(text)[-2:] == [(23, 14, 5), (1, 14, 5)] and said(text) == []
 
 
-def test_work_offset_in_force_is_p0_outside_of_fanuc():
+def test_g10_p0_is_the_current_work_offset_except_on_fanuc():
     assert points("G55\nG10 L20 P0 X5\nX6")[-1] == (1, 0, 5)
     assert points("G10 L2 P0 X5\nG1 X6")[-1] == (11, 0, 5) and "read as 0" in said("G10 L2 P0 X5\nG1 X6")[0]
     fanuc = read_program("O1000\nG21\nG0 X0 Y0 Z5\nG10 L20 P0 X5\nG10 L2 P0 X5\nG1 X6 F60")
@@ -126,7 +126,7 @@ def test_splines_end_at_their_target():
     assert len(spline) > 20 and tuple(spline[-2]) == (1, 1, 5)
     assert np.abs(spline - (0.5, 2.75, 5)).max(axis=1).min() < 0.05
     middle = np.array(points("G5.1 X10 Y0 I5 J10"))
-    assert abs(middle[:, 1].max() - 5) < 0.01  # the top of the parabola is at half the height of its control point
+    assert abs(middle[:, 1].max() - 5) < 0.01  # The top of the parabola is at half the height of its control point.
 
 
 def test_thread_feed_is_pitch_times_speed():

@@ -14,7 +14,7 @@ def path(text):
 
 
 def places(text):
-    """Return the points after the plunge, with four decimals."""
+    """Return the points of the toolpath after the plunge, with four decimals."""
     return (path(text).points[2:].round(4) + 0.0).tolist()
 
 
@@ -24,15 +24,16 @@ def codes(text):
 
 @pytest.mark.parametrize("text, ends", [
     ("G68 X0 Y0 R90\nX10\nY5\nG69\nX1 Y1", [[0, 10, -1], [-5, 10, -1], [1, 1, -1]]),
-    ("G68 X10 Y0 R90\nX20 Y0\nY5", [[10, 10, -1], [5, 10, -1]]),  # without an X, the tool keeps its programmed X
+    ("G68 X10 Y0 R90\nX20 Y0\nY5", [[10, 10, -1], [5, 10, -1]]),  # A line without X keeps the last programmed X.
     ("G68 X0 Y0 R30\nX10\nG91 Y10", [[8.6603, 5, -1], [3.6603, 13.6603, -1]]),
-    ("X4 Y0\nG68 R180\nX6", [[4, 0, -1], [2, 0, -1]]),  # without X and Y, the rotation's centre is the tool's position
+    # If G68 has no X and Y, the centre of the rotation is the tool's position.
+    ("X4 Y0\nG68 R180\nX6", [[4, 0, -1], [2, 0, -1]]),
     ("G68 X0 Y0 R-90\nX10 Y0\nX10 Y2 Z-3", [[0, -10, -1], [2, -10, -3]]),
     ("G51 X0 Y0 Z0 P2000\nX5\nG91 Y3 Z-1\nG90 G50\nX1", [[10, 0, -1], [10, 6, -3], [1, 6, -3]]),
     ("G51 X2 Y0 I0.5 J0.5\nX10 Z-2", [[6, 0, -2]]),
     ("G51.1 X0\nX5 Y3\nG91 X1\nG90 G50.1\nX2", [[-5, 3, -1], [-6, 3, -1], [2, 3, -1]]),
     ("G51.1 X10 Y0\nX5 Y3", [[15, -3, -1]]),
-    ("G51.1 X0\nG68 X0 Y0 R90\nX5 Y0", [[0, -5, -1]]),  # the control mirrors first, and then rotates
+    ("G51.1 X0\nG68 X0 Y0 R90\nX5 Y0", [[0, -5, -1]]),  # The control mirrors first, and then rotates.
     ("G52 X100\nG68 X0 Y0 R90\nX10 Y0", [[100, 10, -1]]),
     ("G10 L2 P1 R90\nX10 Y0\nG92 X0 Y0\nX5 Y0", [[0, 10, -1], [0, 15, -1]]),
     ("G10 L2 P0 R90\nX10 Y0", [[0, 10, -1]]),
@@ -49,8 +50,8 @@ def test_lines_are_mirrored_scaled_and_rotated(text, ends):
     ("G51.1 X0 Y0", -1, [-5, 0], 5), ("G10 L2 P1 R180", -1, [-5, 0], 5),
 ])  # fmt: skip
 @pytest.mark.parametrize("arc", ["G2 X10 Y0 I5 J0", "G2 X10 Y0 R5", "G90.1 G2 X10 Y0 I5 J0", "G91 G2 X10 I5"])
-def test_mapped_arcs_keep_their_shape(code, turns, centre, radius, arc):
-    """One mirror changes the direction of an arc. Two mirrors do not."""
+def test_mirrored_scaled_and_rotated_arcs_keep_their_shape(code, turns, centre, radius, arc):
+    """Mirroring along one axis reverses the sense of an arc, and mirroring along two axes does not."""
     mapped = path(f"{code}\n{arc}")
     assert mapped.sweep.sum() == pytest.approx(turns * np.pi)
     ways = mapped.points[2:, :2] - centre
@@ -58,7 +59,7 @@ def test_mapped_arcs_keep_their_shape(code, turns, centre, radius, arc):
     assert mapped.problems == ()
 
 
-def test_rotation_of_another_work_offset_changes_nothing():
+def test_rotation_of_an_unused_work_offset_changes_nothing():
     assert places("G10 L2 P2 R90\nX10 Y0\nG10 L20 P1 X0\nX5\nG41.1 D4 G1 X35\nX60") == [
         [10, 0, -1], [15, 0, -1], [45, 2, -1], [70, 2, -1]
     ]  # fmt: skip
@@ -70,7 +71,8 @@ def test_holes_are_rotated_and_scaled():
     assert [point for point in places(text) if point[2] == -3] == [[0, 10, -3], [0, 20, -3]]
     deep = "G51 X0 Y0 Z0 P2.\nG99 G83 X1 Y0 Z-4 R1 Q2\nG80\nG50"
     heights = [point[2] for point in places(deep)]
-    assert min(heights) == -8 and heights[-1] == 2 and -2 in heights  # the pecks are 4 mm deep from the R plane
+    # After scaling by 2, each peck is 4 mm deep, the first from the R plane.
+    assert min(heights) == -8 and heights[-1] == 2 and -2 in heights
 
 
 @pytest.mark.parametrize("code, name", [

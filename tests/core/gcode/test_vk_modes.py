@@ -64,12 +64,12 @@ def test_work_offset_saved_by_m70_is_restored():
     "line", ["G4 P1 F200", "G31 Z-2 F200", "G38.2 Z-2 F200", "G43.1 Z1 F200", "G52 X0 F200", "G53 G0 Z0 F200",
              "G92 X0 F200", "G10 L2 P2 X0 F200", "G28.1 F200"]
 )  # fmt: skip
-def test_feed_rate_is_read_in_lines_of_other_codes(line):
+def test_feed_rate_is_read_in_lines_of_codes_without_a_move(line):
     assert feed(f"{line}\nG1 X9 Z-1") == 200
 
 
 @pytest.mark.parametrize("line, x", [("G1 X5 G4 P0.5", 5), ("G4 P0.5 X5", 5), ("G4 X5", 1), ("G4 U5", 1)])
-def test_line_with_dwell_moves_if_its_axis_word_is_no_time(line, x):
+def test_axis_word_beside_a_dwell_moves_unless_it_is_the_time(line, x):
     assert end(f"G1 X1\n{line}")[0] == x
 
 
@@ -83,7 +83,7 @@ def test_probing_moves_the_tool_to_its_target():
     assert path.points[2:].tolist() == [[8, 0, -1], [8, 0, 8], [9, 0, 8]]
     assert path.rapid.tolist() == [False, True, True, False]
     assert [problem.what.code for problem in path.problems] == ["probing-as-rapid"]
-    assert end("G31 X8\nX3") == [3, 0, -1]  # G31 applies to one line only, so the next line cuts
+    assert end("G31 X8\nX3") == [3, 0, -1]  # G31 applies to one line only, so the next line cuts.
 
 
 def test_feed_rate_next_to_a_unit_change_has_a_remark():
@@ -96,7 +96,7 @@ def test_feed_rate_next_to_a_unit_change_has_a_remark():
 
 
 @pytest.mark.parametrize("code", ["M19 R90", "M3 S100 R5", "M4 R5 P1"])
-def test_spindle_angle_is_not_a_retract_plane(code):
+def test_r_word_of_a_spindle_code_is_not_the_r_plane_of_a_cycle(code):
     holes = f"G0 Z5\nG81 X1 Y1 Z-4 R1\n{code}\nX9\nG80"
     assert path_of(holes).points.tolist() == path_of("G0 Z5\nG81 X1 Y1 Z-4 R1\nX9\nG80").points.tolist()
 
@@ -124,6 +124,6 @@ def test_unit_code_applies_to_all_codes_of_its_line(code):
     assert ends[0] == ends[1] == [pytest.approx(-25.4), 0, -1]
 
 
-def test_words_of_g10_beside_g92_3_belong_to_g10():
+def test_axis_words_of_g10_beside_g92_3_belong_to_g10():
     path = read_program("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG10 L2 P2 X9 G92.3\nY3\n").toolpath()
     assert path.points[-1].tolist() == [0, 3, -1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Plain lines are read as columns. The commands are the same as from reading line by line."""
+"""Lines with plain moves are read many at a time, into columns, with the commands of reading line by line."""
 
 import random
 
@@ -103,8 +103,8 @@ def test_numbers_in_plain_lines_equal_python_floats(monkeypatch):
     assert read == [float(text) for text in texts]
 
 
-def test_plain_lines_do_not_reach_the_interpreter(monkeypatch):
-    """Only the lines around the plain lines reach the interpreter."""
+def test_plain_lines_are_read_without_the_interpreter(monkeypatch):
+    """The interpreter reads only the lines before and after the plain lines."""
     lines = []
     block = plain_lines.Interpreter.block
 

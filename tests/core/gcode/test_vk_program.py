@@ -22,7 +22,7 @@ def points(text):
 
 
 def ends(text):
-    """Return the last point of each line that moves."""
+    """Return {line number: last point} for each program line that moves the tool."""
     path = read_program(text).toolpath()
     last = np.append(np.flatnonzero(np.diff(path.command)), len(path) - 1)
     return {int(path.command[i]): tuple(np.round(path.points[i + 1], 4)) for i in last}
@@ -101,7 +101,7 @@ def test_drilling_cycles_drill_all_holes():
     assert path.cycle.any()
     holes = path.points[1:][~path.rapid & (path.points[1:, 2] < -4.9)]
     assert sorted({(x, z) for x, _, z in np.round(holes, 6)}) == [(0, -10), (0, -6), (10, -10), (10, -6), (20, -5)]
-    assert path.rapid[path.command >= 8].all()  # moves after G80 are rapids
+    assert path.rapid[path.command >= 8].all()  # The moves after G80 are rapids.
     assert path.feed[(path.command == 6) & ~path.rapid].tolist() == pytest.approx([200 / 60] * 2)
 
 
@@ -170,7 +170,7 @@ def test_cycle_without_repeats_drills_once():
 
 
 @pytest.mark.parametrize("letter", "KL")
-def test_absolute_cycle_repeats_in_place(letter):
+def test_cycle_with_absolute_position_repeats_at_the_same_place(letter):
     text = f"G0 X0 Y0 Z5\nG91\nG90\nG81 X10 Y0 Z-4 R1 {letter}3 F100\nG80"
     assert [point for point in points(text) if point[2] < 0] == 3 * [[10, 0, -4]]
     assert said(text) == []
@@ -189,7 +189,7 @@ def test_tapping_and_boring_feed_out_as_the_control_does(code, head, level, fed,
     """LinuxCNC feeds up to the height of G98. A Fanuc control feeds up to R, and then rises at rapid."""
     text = f"{head}G20\nT2 M6\nG0 G90 G54 X.5 Y.5 S500 M3\nG43 H2 Z2.\n{level} {code} Z-.6 R.1 F25.\nX1.5\nG80\nM30"
     path = read_program(text).toolpath()
-    fed = min(fed, 1.4) if code == "G85" else fed  # LinuxCNC's G85 also feeds up to R only
+    fed = min(fed, 1.4) if code == "G85" else fed  # For G85, LinuxCNC also feeds up only to R.
     assert path.lengths[~path.rapid].sum() == pytest.approx(2 * fed * 25.4) and path.lengths.all()
     assert path.points[-1, 2] == pytest.approx(end * 25.4) and not path.problems
 
@@ -219,13 +219,13 @@ def test_feed_per_turn_without_spindle_speed_is_unknown():
     assert path.feed.tolist() == pytest.approx([10, 0, 2, 5])
     assert [problem.what.code for problem in path.problems] == ["feed-mode-not-read"]
     assert path.command.tolist() == [2, 4, 6, 8]
-    # the move before the first cut has no remark
+    # The move before the first cut has no remark.
     told = read_program("G0 X0 Y0 Z0\nG95 F.1\nX5\nS1200\nG1 X10").toolpath()
     assert told.feed.tolist() == pytest.approx([0, 2]) and not told.problems
 
 
 def test_command_numbers_of_a_program_are_line_numbers():
-    """Code that looks up moves by command number also works for programs."""
+    """Code that finds moves by the number of their command also works for programs."""
     path = read_program("%\n\nG0 X0 Y0 Z0\n\nG1 X10 F600\n\n(end)\n").toolpath()
     assert path.command.tolist() == [5] and path.commands == 6
 
@@ -235,7 +235,7 @@ def test_command_numbers_of_a_program_are_line_numbers():
     [
         ("T1 M6", [1]), ("M6 T1", [1]), ("T1\nM6", [1]), ("M06T01", [1]), ("T5 D1\nG43 H5", [5]),
         ("T1 M6\nT2\nG1 X20\nM6", [1, 2]), ("T1\nG1 X20\nT1\nG1 X30\nT2", [1, 2]),
-        ("T01T02M06\nG1 X20\nM6", [1, 2]), ("M6 T3 T4", [3]),  # the second T word only prepares the next tool
+        ("T01T02M06\nG1 X20\nM6", [1, 2]), ("M6 T3 T4", [3]),  # The second T word only prepares the next tool.
     ],
 )  # fmt: skip
 def test_tool_changes_have_their_numbers(text, numbers):
@@ -328,7 +328,8 @@ def test_percent_sign_after_a_move_ends_the_program():
     for end in ("%", "N30%", "N30 %"):
         assert points(f"%\nG0 X0 Y0 Z5\n{end}\nG1 X9 F60") == [[0, 0, 5]]
         assert read_program(f"{PLAIN}M30\n{end}\n").problems == read_program(f"{PLAIN}M30\n%\n").problems
-    assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]  # %1 is a program name
+    # In this program, %1 is a program name, and not an end.
+    assert points("G0 X0 Y0 Z5\n%1\nG1 X9 F60") == [[0, 0, 5], [9, 0, 5]]
 
 
 @pytest.mark.parametrize("line", ["G28 G91 Z0\nG90", "G91 G28 Z0.\nG90", "G53 G0 Z0", "G0 G53 Z-3.", "G30 Z0"])
@@ -348,7 +349,7 @@ def test_machine_positions_at_start_or_end_have_no_remark():
 
 
 @pytest.mark.parametrize("code", ["G28", "G30"])
-def test_home_of_all_axes_has_the_same_remark_as_one_axis(code):
+def test_g28_without_axes_has_the_remark_of_g28_with_an_axis(code):
     text = f"{PLAIN}{code}\nG0 X40 Y0\nG1 Z-1\nX50\n"
     assert said(text) == [
         f"Line 5: Moves to machine positions ({code}) are ignored, because the program does not contain these positions."
@@ -396,13 +397,13 @@ def test_uncalled_subprogram_before_the_main_program_is_skipped(call):
         assert said(text) == ["Line 2 (first of 2): A subprogram or macro call is ignored."]
 
 
-def test_program_that_is_not_called_ends_at_m99():
+def test_main_program_ends_at_m99():
     text = "O1000 (M98 P1000)\n" + PLAIN + "M99\nO2\nG1 X99\nM30"
     assert points(text) == [list(p) for p in POINTS]
     assert said(text) == ["Line 8: Lines after the end of the program are ignored."]
 
 
-def test_called_block_after_the_end_is_read():
+def test_block_called_by_m97_after_the_program_end_is_read():
     text = PLAIN + "M97 P1000 L3\nX5\nM97 P2000\nM30\n(HOLE)\nN1000 G91\nG1 X9 F9\nG90 M99\nN2000 X99\nM99"
     assert points(text) == [list(p) for p in POINTS] + [[x, 2, -1] for x in (19, 28, 37, 5, 99)]
     assert said(text) == []
@@ -418,7 +419,7 @@ HEIDENHAIN = (
 def test_heidenhain_iso_program_is_read():
     text = HEIDENHAIN.format("N70 X+50 M99 *")
     assert points(text) == [[0, 50, 5], [0, 50, -1], [50, 50, -1], [50, 50, 5]] and said(text) == []
-    # the asterisk at the end of a block is not part of the number
+    # The asterisk at the end of a block is not part of the number.
     assert points(text.replace(" *", "*")) == points(text)
     program = read_program(text)
     assert program.unit_told and not program.inches
@@ -453,7 +454,7 @@ def test_ignored_heidenhain_words_have_a_remark():
     assert [problem.what.code for problem in path.problems] == ["word-not-read", "arc-as-line"]
 
 
-def test_move_in_the_line_of_m30_is_not_after_the_end():
+def test_move_in_the_line_of_m30_has_no_remark():
     assert said(PLAIN + "G0 Z5 M30") == []
 
 
@@ -619,12 +620,15 @@ def test_reading_time_is_linear_in_line_length(line):
     assert seconds(40_000) < 3 * 8 * seconds(5_000)
 
 
-# Two rounded corners of a square around (200, 200): start, end and centre of each corner.
+# Start, end and centre of two rounded corners of a square around (200, 200).
 CORNERS = [((220, 210), (210, 220), (210, 210)), ((190, 220), (180, 210), (190, 210))]
 
 
 def rounded(absolute, said=""):
-    """Return the toolpath of rounded corners whose centres are coordinates or offsets; `said` may declare which."""
+    """Return the toolpath of rounded corners whose centres are coordinates or offsets.
+
+    `said` is a comment that can state whether centres are coordinates or offsets.
+    """
     lines = [f"G90 {said}", "G0 X220 Y200 Z0", "F600"]
     for (x, y), (to_x, to_y), (i, j) in CORNERS:
         lines += [f"G1 X{x} Y{y}", f"G3 X{to_x} Y{to_y} " + (f"I{i} J{j}" if absolute else f"I{i - x} J{j - y}")]
@@ -644,7 +648,7 @@ def test_program_statement_decides_about_arc_centres(absolute, said):
     assert not rounded(not absolute, said).problems
 
 
-def test_one_bad_arc_does_not_make_centres_absolute():
+def test_one_wrong_arc_does_not_make_centres_coordinates():
     good = "G2 X20 Y0 I10 J0\nG2 X0 Y0 I-10 J0\n"
     path = read_program(f"G0 X0 Y0 Z0\nF600\n{good}G2 X10 Y10 I10 J0\nG0 X0 Y0\n{good}").toolpath()
     assert not path.problems

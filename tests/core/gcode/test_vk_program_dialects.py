@@ -85,7 +85,7 @@ def test_machine_positions_of_heidenhain_are_not_coordinates():
     assert [problem.what.code for problem in program.problems] == ["machine-height", "machine-position"]
 
 
-def test_distance_modes_of_heidenhain_apply_from_their_word_on():
+def test_g90_and_g91_of_heidenhain_apply_from_their_place_on():
     begin, end = "%A G71\nG00 G90 X+5 Y+5 Z+50\n", "\nN9 %A G71"
     mixed = read_program(begin + "G01 X+10 G91 Y+5 F100\nX+1 G90 Y+2\nG91 X+1 G90 Y+3 G91" + end)
     assert mixed.toolpath().points[1:].tolist() == [[10, 10, 50], [11, 2, 50], [12, 3, 50]] and mixed.problems == ()
@@ -132,9 +132,10 @@ def test_program_does_not_call_itself_as_a_subprogram():
 
 
 @pytest.mark.parametrize(("other", "calls_500"), [("10500", False), ("9", True)])
-def test_p10500_calls_500_once_if_10500_is_missing(other, calls_500):
+def test_p10500_calls_o500_once_if_o10500_does_not_exist(other, calls_500):
     text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
-    assert ("Line 1: A subprogram or macro call is ignored." in said(text)) == calls_500  # reading ends before the call
+    # Reading ends before the call.
+    assert ("Line 1: A subprogram or macro call is ignored." in said(text)) == calls_500
     assert read_program(text).toolpath().points[-1, 0] == (77 if calls_500 else 10)
 
 
@@ -182,7 +183,7 @@ def test_drilling_cycles_of_fagor_are_read():
     drilled = read_program("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 K20 F100\nY9\nG80\nG0 Z50").toolpath()
     holes = drilled.points[1:][~drilled.rapid]
     assert holes.tolist() == [[5, 7, -18], [5, 9, -18]]
-    assert (drilled.points[:, 2] == 2).any()  # the height above the hole is reached first
+    assert (drilled.points[:, 2] == 2).any()  # The tool first reaches the height above the hole.
     relative = read_program("G21\nG0 X0 Y0 Z20\nG91 G99 G82 X5 Y7 Z-18 I-6 F100\nG80").toolpath()
     assert relative.points[1:][~relative.rapid].tolist() == [[5, 7, -4]]
     assert said("G21 G90\nG0 X0 Y0 Z50\nG99 G81 X5 Y7 Z2 I-18 F100\nG80") == []
@@ -218,12 +219,12 @@ def test_decimal_commas_are_read_with_a_remark():
     assert said(PLAIN + "G1 X10.,R2.") == ["Line 5: ,R words are ignored."]
 
 
-def test_other_words_in_a_line_with_foreign_text_are_read():
+def test_valid_words_in_a_line_with_unreadable_text_are_read():
     assert last("G1 X5 Y6 RAPIDO") == (5, 6, -1) and last("G1 X5 Y6 !") == (5, 6, -1)
     assert said(PLAIN + "G1 X5 !") == [
         "Line 5: Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
     ]
-    assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # the number X1.2.3 is not valid
+    assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # The number X1.2.3 is not valid.
 
 
 @pytest.mark.parametrize(

@@ -144,7 +144,7 @@ def test_corner_radius_and_tip_angle_of_a_tool_are_read():
     assert tool_told("TOOL 2mm END MILL of 3 mm drill", inches=False).tool.diameter == 2
 
 
-def test_unit_of_a_tool_belongs_to_its_size():
+def test_unit_of_a_tool_in_a_comment_is_read_with_its_size():
     for comment in (
         "6mm end mill",
         "6mm x 20mm end mill",
@@ -230,7 +230,7 @@ def test_comments_without_a_tool_are_not_tools(comment):
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
 )  # fmt: skip
-def test_comments_are_titles_or_remarks(comment, title):
+def test_comments_that_are_titles_are_told_from_remarks(comment, title):
     assert title_of(comment) == title
 
 
@@ -268,7 +268,7 @@ def test_freecad_tool_controller_begins_untitled_operation():
     assert sections(text) == [("Face", None, 6), ("TC: End mill 3 mm", None, 3)]
 
 
-def test_names_from_freecad_and_flatcam_are_titles():
+def test_operation_names_of_freecad_and_flatcam_are_titles():
     drilled = "(begin operation: Bolts)\n(Path: Bolts)\n(Bolts)\n(Begin Drilling)\nG81 X5 Y5 Z-3 R2 F9\nG80\n(finish operation: Bolts)\n"
     assert sections(f"{CUT}{drilled}") == [("", None, None), ("Bolts", None, None)]
     assert sections(f"(Name: board_cutout)\n(Type: G-code from Geometry)\n{CUT}") == [("board_cutout", None, None)]
@@ -303,7 +303,7 @@ def test_tool_comment_in_the_line_of_its_change_is_used():
     next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
     assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
-    # The last of several tool changes counts. The comment on its tool may follow on the next line.
+    # The last of several tool changes is used. The comment on this tool can be on the next line.
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6 (5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
@@ -339,8 +339,8 @@ def test_tool_comment_after_its_change_is_read():
     two = f"M6\nT1.1 (10MM ENDMILL)\nM0\n{CUT}M6\nT9.9 (5MM DRILL)\n{CUT}"
     assert sections(two) == [("10MM ENDMILL", 1, 10), ("5MM DRILL", 9, 5)]
     assert sections(f"T1\nM6\n{CUT}M6\nT2 (5MM DRILL)\n{CUT}")[-1] == ("5MM DRILL", 2, 5)
-    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # T2 only prepares a tool
-    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # after a cut, T2 only prepares a tool
+    assert sections(f"T1\nM6\nT2 (5MM DRILL)\n{CUT}") == [("", 1, None)]  # T2 only prepares a tool.
+    assert sections(f"M6\n{CUT}T2 (5MM DRILL)\n{CUT}")[-1][1] is None  # After a cut, T2 only prepares a tool.
 
 
 def test_tools_and_remarks_in_chinese_are_read():
@@ -353,8 +353,8 @@ def test_tools_and_remarks_in_chinese_are_read():
     assert [s.tool.shape for s in split_sections(read_program(changes))] == ["vbit", "drill", "ballend"]
 
 
-def test_cutviewer_tool_comment_holds_from_its_line_on():
-    """MeshCAM writes its own tool before the program's tool. The first tool in a tool list is used first."""
+def test_cutviewer_tool_comment_applies_from_its_line_on():
+    """MeshCAM writes another tool before the program's tool. In a list of tools, the first tool is used first."""
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\n(TOOL/MILL,6,0,20,0)\nT1 M6\n{CUT}") == [("", 1, 6)]
     assert sections(f"(TOOL/MILL,0.1,0.05,0,0)\nT1 M6\n(TOOL/MILL,6,0,20,0)\n{CUT}(TOOL/MILL,3,0,9,0)\nT1 M6\n{CUT}") == [
         ("", 1, 6), ("", 1, 3)
@@ -424,7 +424,7 @@ def test_operation_keeps_the_tool_described_before_its_title():
     assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
 
 
-def test_changed_tool_without_description_is_unknown():
+def test_tool_without_description_after_a_change_is_unknown():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T2 M6\n{CUT}") == [("End mill 6mm", 1, 6), ("", 2, None)]
 
 
@@ -433,7 +433,7 @@ def test_title_between_plunge_and_cut_does_not_divide():
     assert [title for title, _, _ in sections(f"(Sides)\nG0 X0 Y0\nG1 Z1 F9\nZ-2\n(Rough)\nX10\nY5\n(Wall)\n{CUT}")] == [
         "Rough", "Wall"
     ]  # fmt: skip
-    # A hole is a cut, even if the title comes before the retract.
+    # A hole counts as a cut, even if the next title comes before the retract from the hole.
     for hole in ("G1 Z-2 F9\n(Second)\nG0 Z5\n", "G1 Z-2 F9\n(Second)\nG1 Z5\n", "G1 Z-2 F9\nG0 Z5\n(Second)\n"):
         assert len(sections(f"(First)\nG0 X0 Y0\n{hole}X5\nG1 Z-2\n")) == 2
 
@@ -455,7 +455,7 @@ def test_line_without_g_code_continues_the_feed_move():
     """Titles divide a program only after the first cut, so cuts must be found even if G1 is several lines above."""
     cut = "X10\nY5\nX0\n"
     assert [title for title, _, _ in sections(f"(One)\nG1 F100\n{cut}(Two)\n{cut}")] == ["One", "Two"]
-    # Rapids, and feed words without a move, do not cut. So the second title names the same operation.
+    # Rapids, and feed words without a move, do not cut, so the title Two replaces the title One.
     assert [title for title, _, _ in sections(f"(One)\nG0 X5 Y5\nX6\nF100\n(Two)\nG1 {cut}")] == ["Two"]
 
 
@@ -495,7 +495,7 @@ def test_sheetcam_title_before_the_tool_change_is_read():
 
 
 def test_comment_in_the_line_of_a_move_is_not_a_title():
-    """A comment in the line of a move describes the move. Only a tool description in the comment is used."""
+    """A comment in the line of a move describes the move. Only a tool description in such a comment is used."""
     text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
     assert sections(text) == [("FACE TOP", 2, 6)]
 
@@ -506,7 +506,7 @@ def test_numbered_titles_at_tool_changes_are_operations():
     assert [title for title, _, _ in sections(changed)] == [f"Hole {k}" for k in range(1, 61)]
 
 
-def test_title_that_names_a_listed_tool_has_this_tool():
+def test_title_that_names_a_listed_tool_sets_this_tool():
     listed = "(T1 D=6 CR=0 - flat end mill)\n(T2 D=3 CR=0 - flat end mill)\n"
     assert sections(f"{listed}(T2 : rest)\n{CUT}")[0][2] == 3
 
@@ -583,7 +583,7 @@ def test_tools_in_korean_japanese_and_russian_are_read(comment, number, shape, d
 
 
 @pytest.mark.parametrize("line", ["#<TOOL_DIAMETER> = 6", "#<_tool_dia>=6.0", "N5 #<tool_diameter> = 6 (mm)"])
-def test_variable_with_the_diameter_gives_the_tool(line):
+def test_tool_diameter_is_read_from_a_named_variable(line):
     program = read_program(f"G21 G90\n{line}\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX40\nM30\n")
     (section,) = split_sections(program)
     assert section.tool.diameter == 6

@@ -34,7 +34,7 @@ def shrunk(path):
 
 
 @pytest.mark.parametrize("path", [zigzag(), offsets(), zigzag(width=200.0), zigzag(lift=25.0)])
-def test_only_too_small_toolpaths_look_like_inches(path):
+def test_only_toolpaths_too_small_for_mm_look_like_inches(path):
     assert not looks_like_inches(path)
     assert looks_like_inches(shrunk(path))
     assert looks_like_inches(shrunk(path), tool_diameter=6.0)
@@ -42,12 +42,12 @@ def test_only_too_small_toolpaths_look_like_inches(path):
 
 def test_fast_or_large_toolpath_does_not_look_like_inches():
     small = shrunk(zigzag())
-    assert not looks_like_inches(replace(small, feed=np.full(len(small), 20.0)))  # the feed is 1200 inches a minute
-    # the feed is 20 inches a minute
+    assert not looks_like_inches(replace(small, feed=np.full(len(small), 20.0)))  # The feed is 1200 inches a minute.
+    # The feed is 20 inches a minute.
     assert looks_like_inches(replace(small, feed=np.full(len(small), 20.0)), imported=True)
-    # the feed is 800 mm/min
+    # The feed is 800 mm/min.
     assert not looks_like_inches(replace(small, feed=np.full(len(small), 800.0)), imported=True)
-    assert not looks_like_inches(small, tool_diameter=0.3)  # tools of 0.3 mm exist for engraving
+    assert not looks_like_inches(small, tool_diameter=0.3)  # Tools of 0.3 mm exist for engraving.
     assert not looks_like_inches(shrunk(zigzag(lift=200.0)))
     assert not looks_like_inches(linearize([]))
     # The toolpath is a single hole.
@@ -58,10 +58,10 @@ def test_fast_or_large_toolpath_does_not_look_like_inches():
     "changed, imported, said",
     [
         ({}, False, True),
-        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # a part of 15 inches would be large
-        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # a lift of 4 inches would be too high
-        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # a feed of 300 inches a minute would be fast
-        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import stores mm/min as mm/s
+        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # A part of 15 inches would be large.
+        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # A lift of 4 inches would be too high.
+        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # A feed of 300 inches a minute would be fast.
+        ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import stores mm/min as mm/s.
     ],
 )  # fmt: skip
 def test_size_and_feed_limits_decide_about_inches(changed, imported, said):
@@ -72,7 +72,7 @@ def test_size_and_feed_limits_decide_about_inches(changed, imported, said):
 def test_laser_and_wide_part_are_not_too_small():
     assert not looks_like_inches(
         zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0)
-    )  # a laser is not lifted between rows
+    )  # A laser is not lifted between rows.
     small = zigzag(width=10.0, rows=4, step=0.5, depth=-0.5, lift=2.0, feed=1.0)
     assert looks_like_inches(small, tool_diameter=2.6) and not looks_like_inches(small, tool_diameter=2.4)
 
@@ -89,7 +89,7 @@ def test_laser_and_wide_part_are_not_too_small():
         ("G0 X0 Y0 Z5000\nX5000", False),
     ],
 )
-def test_lengths_of_whole_thousands_look_like_increments(unit, scale, text, said):
+def test_coordinates_without_a_point_look_like_thousandths(unit, scale, text, said):
     path = read_program(f"{unit}\n{text}").toolpath()
     assert looks_like_increments(path, inches=scale == INCH) == said
     assert np.ptp(path.points[:, 0]) / scale == pytest.approx(
@@ -97,12 +97,12 @@ def test_lengths_of_whole_thousands_look_like_increments(unit, scale, text, said
     )
 
 
-def test_increments_are_whole_numbers_in_the_programs_unit():
+def test_thousandths_are_whole_numbers_in_the_programs_unit():
     path = read_program("G20\nG0 X0 Y0 Z1\nG1 X5001 Y7 F9").toolpath()
     assert looks_like_increments(path, inches=True) and not looks_like_increments(path, inches=False)
 
 
-def test_increments_are_lengths_of_at_least_5000():
+def test_thousandths_are_assumed_for_lengths_of_at_least_5000():
     for length, said in ((5000, True), (4999, False)):
         path = read_program(f"G21\nG0 X0 Y0 Z5\nG1 Z-1 F9\nX{length}").toolpath()
         assert looks_like_increments(path, inches=False) == said
@@ -110,7 +110,8 @@ def test_increments_are_lengths_of_at_least_5000():
 
 def test_fastest_feed_decides_if_feeds_are_mm_per_minute():
     slow, fast = zigzag(feed=240.0), zigzag(feed=600.0)
-    assert in_seconds(slow) == (slow, None) and in_seconds(zigzag(feed=260.0))[1]  # 250 mm/min, or 15 m/min
+    # The limit is a feed value of 250, which is 250 mm/min or 15 m/min.
+    assert in_seconds(slow) == (slow, None) and in_seconds(zigzag(feed=260.0))[1]
     entering = replace(fast, feed=np.where(np.arange(len(fast)) < 3, 100.0, 600.0))
     mended, said = in_seconds(entering)
     assert mended.feed.tolist() == [100 / 60] * 3 + [10.0] * (len(fast) - 3)
@@ -119,7 +120,7 @@ def test_fastest_feed_decides_if_feeds_are_mm_per_minute():
 
 
 @pytest.mark.parametrize("path", [zigzag(), offsets()])
-def test_verdict_in_inches_equals_verdict_in_mm(path):
+def test_recognition_in_inches_equals_recognition_in_mm(path):
     true, found = recognize(path, tool_diameter=6.0), recognize_inches(shrunk(path), tool_diameter=6.0)
     assert found.strategy is true.strategy and found.strategy in (Strategy.ZIGZAG, Strategy.CONTOUR_PARALLEL)
     assert found.confidence == pytest.approx(true.confidence)

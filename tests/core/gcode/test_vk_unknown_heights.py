@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moves at heights that are not in the program, after machine positions or tool length offsets."""
+"""Moves at unknown heights, after moves to machine positions or tool length offsets, have a remark."""
 
 import pytest
 
@@ -19,11 +19,11 @@ def test_move_after_a_machine_height_has_a_remark(home, move):
 
 
 @pytest.mark.parametrize("stop", ["M6 T2", "T2", "M0"])
-def test_machine_height_before_a_stop_has_no_remark(stop):
+def test_machine_height_before_a_tool_change_has_no_remark(stop):
     assert "machine-height" not in codes(f"{CUT}G91 G28 Z0\nG90\n{stop}\nG0 X5\nG0 Z5\nG1 Z-1")
 
 
-def test_machine_height_at_the_end_has_no_remark():
+def test_machine_height_at_the_program_end_has_no_remark():
     assert codes(f"{CUT}G28 Z0\nM30") == []
 
 

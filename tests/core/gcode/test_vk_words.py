@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands are converted to columns in batches, which need little more memory than the columns."""
+"""Commands are converted to columns of numbers in batches, which need little more memory than the columns."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vkworkbench.core.gcode.moves import words
 
 
 class Command:
-    """A command like FreeCAD's, which creates its name and parameters anew at each access."""
+    """A command that creates its name and parameters anew at each access, like a command of FreeCAD."""
 
     @property
     def Name(self):
@@ -30,7 +30,7 @@ class Command:
 def many(monkeypatch):
     """Return the number of commands, and reduce the batch size to an eighth of it.
 
-    With small batches, few commands show that the memory depends on the batch size and not on the number of commands.
+    With small batches, a test with few commands shows whether the memory grows with the number of commands.
     """
     monkeypatch.setattr(words, "_PIECE", 1_500)
     return 12_000
@@ -40,12 +40,12 @@ def test_many_commands_need_little_memory(many):
     commands = [Command()] * many
     read, _, peak = memory(lambda: Words(commands))
     assert len(read) == len(commands) and (read.column("Y")[0] == 2).all()
-    # A dictionary of three numbers needs 256 bytes, and a name 50 bytes.
+    # The limit is lower than a dictionary of three numbers (256 bytes) plus a name (50 bytes) per command.
     assert peak < 150 * len(commands), f"{peak / len(commands):.0f} bytes a command"
 
 
 class Keeping:
-    """A command like FreeCAD's that keeps its parameters after the first access."""
+    """A command that keeps its parameters in memory after the first access, like a command of FreeCAD."""
 
     Name = "G1"
 
@@ -54,7 +54,7 @@ class Keeping:
         return {"X": 1.0, "Y": 2.0, "F": 3.0}
 
 
-def test_used_commands_free_their_memory(many):
+def test_commands_that_were_converted_free_their_memory(many):
     commands = [Keeping() for _ in range(many)]
     count = len(commands)
     read, _, peak = memory(lambda: Words(used_up(commands)))
@@ -79,7 +79,7 @@ def test_reading_in_batches_equals_reading_at_once(piece, monkeypatch):
     assert np.array_equal(pieces.codes, whole.codes)
     for letter in whole.letters:
         for one, other in zip(pieces.column(letter), whole.column(letter)):
-            np.testing.assert_array_equal(one, other)  # NaN equals NaN
+            np.testing.assert_array_equal(one, other)  # NaN equals NaN.
 
 
 BEFORE_CODES = [("G0", {"Z": 25}), ("G0", {"X": 15, "Y": 20}), ("G1", {"Z": 18, "F": 2})]

@@ -29,7 +29,7 @@ def xs(text):
     return [x for x, _, _ in ends(text)]
 
 
-# LinuxCNC's own interpreter gives these values.
+# The expected values are from LinuxCNC's interpreter.
 @pytest.mark.parametrize(("expression", "value"), [
     ("[1+2*3]", 7), ("[[1+2]*3]", 9), ("[2**3**2]", 64), ("[2+3*4**2]", 50), ("[-2**2]", 4), ("[10-3-2]", 5), ("[2/4/2]", 0.25),
     ("[7 MOD 4]", 3), ("[-7 MOD 4]", 1), ("[7 MOD -4]", 3), ("[7.5 mod 2]", 1.5), ("[2**-1]", 0.5), ("[-8**3]", -512),
@@ -136,7 +136,7 @@ def test_macros_are_executed_as_fanuc_controls_execute_them(case):
     ("N5 X5\nGOTO 5", "The program jumps back from here without end."),
 ])  # fmt: skip
 def test_reading_ends_if_a_program_cannot_be_followed(line, why):
-    """The moves before the line are kept, and the moves after it are not read."""
+    """The moves before the line that cannot be followed are kept, and the moves after the line are not read."""
     text = f"{HEAD}X3\n{line}\nX99\nM2\n"
     assert ends(text)[0] == (3, 0, 0) and 99 not in xs(text)
     assert said(text)[-1].endswith(f": {END}{why}")
@@ -191,8 +191,8 @@ def test_oversized_expression_is_not_read(value):
 LOOP = "#1=0\no1 while [#1 LT 5]\nG1 X100\nY[#1*5]\nX0\n(ROW)\n#1=[#1+1]\no1 endwhile\nG0 Z5\nM2\n"
 
 
-def test_moves_of_a_loop_have_the_lines_of_the_loop():
-    """Moves of the first run belong to their own lines, and moves of each further run to the line that jumps back."""
+def test_moves_of_a_loop_have_line_numbers_of_the_loop():
+    """Moves of the first run have their own line numbers, and moves of further runs the line that jumps back."""
     program = read_program(HEAD + LOOP)
     assert program.toolpath().command.tolist() == [6, 8] + [11] * 12 + [12]
     assert [text for _, _, text in program.comments] == ["ROW"]

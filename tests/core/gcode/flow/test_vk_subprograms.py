@@ -48,7 +48,7 @@ def test_subprogram_runs_at_its_call(text):
 
 
 @pytest.mark.parametrize("end", ["O3000\nX99\nM99", "/M99\nM99 P7\nX99"])
-def test_subprogram_ends_at_its_return_or_the_next_one(end):
+def test_subprogram_ends_at_its_return_or_the_next_subprogram(end):
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM30\nO2000\n{STEP}{end}"
     assert points(text)[-2:] == [(0, 0, -1), (5, 0, -1)]
     assert said(text)[-1] == f"Line {16 + end.startswith('/')}: Lines after the end of the program are ignored."
@@ -58,7 +58,7 @@ def test_subprogram_called_zero_times_does_not_run():
     assert points(f"O1\n{BEFORE}M98 P2000 L0\nX1\nM30\nO2000\n{STEP}M99") == [(0, 0, 0), (1, 0, 0)]
 
 
-def test_moves_of_subprogram_have_the_line_of_the_call():
+def test_moves_of_a_subprogram_have_the_line_number_of_its_call():
     text = f"O1\n{BEFORE}M98 P2000\nG1 X5\nM98 P2000\nM30\nO2000 (STEP)\n{STEP}#1=[#2\nM99"
     assert sorted(set(path_of(text).command.tolist())) == [5, 6, 7]
     assert said(text) == ["Line 5 (first of 2): Lines with variables or expressions are ignored."]
@@ -99,13 +99,13 @@ def test_unreadable_or_missing_call_has_a_remark(call):
     ("before", "beside", "titles"),
     [("", "", ["Facing"]), ("", "; (faces)", ["faces"]), ("(Top)\n", "", ["Top"]), ("G1 X9\n(Top)\n", "", ["", "Top"])],
 )
-def test_subprogram_comments_name_operations_without_dividing(before, beside, titles):
+def test_comments_in_subprograms_name_operations_but_divide_none(before, beside, titles):
     lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\n(over)\nY5\nX0\nM99"
     text = f"O1\n{BEFORE}{before}M97 P10 L2 {beside}\nG0 X0\nM97 P10\nM30\n{lines}"
     assert [section.title for section in split_sections(read_program(text))] == titles
 
 
-def test_recursive_subprogram_ends():
+def test_reading_of_a_recursive_subprogram_ends():
     itself = f"O1\n{BEFORE}M98 P2000\nX7\nM30\nO2000\nG1 X5\nM98 P{{}}\nM98 P{{}}\nX6\nM99\nO3000\nX3\nM98 P2000\nM99"
     for other in (2000, 3000):
         text = itself.format(other, other)

@@ -35,7 +35,7 @@ def test_variable_is_replaced_by_its_value(down, word):
     assert read_program(text).toolpath().feed[-1] == pytest.approx(1.0)
 
 
-def test_variable_has_its_last_value():
+def test_variable_has_the_value_that_was_assigned_last():
     assert points("G21\n#1=-1\n#2=5\n#3=60\n" + MOVES + "#1=-2\nG1 Z#1\n")[-1] == [10, 0, -2]
     assert points("G21\n#1=-1\n#2=5\n#3=60\n" + MOVES + "#7=#1\nG1 Z#7 X9\n")[-1] == [9, 0, -1]
 
