@@ -16,7 +16,7 @@ shiboken = sys.modules.get("shiboken6") or sys.modules["shiboken2"]
 def forget():
     """Invalidate the wrappers of deleted widgets, and assert that the add-on owns no deleted widget."""
     alive = {shiboken.getCppPointer(widget)[0] for widget in QtGui.QApplication.allWidgets()}
-    kinds = set(_with_subclasses(QtGui.QWidget))  # looking up types is faster than isinstance
+    kinds = set(_with_subclasses(QtGui.QWidget))  # looking up an object's type in a set is faster than isinstance()
     for thing in gc.get_objects():
         if (
             type(thing) in kinds

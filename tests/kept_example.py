@@ -40,7 +40,7 @@ class KeptExample:
         FreeCAD.addDocumentObserver(self)
 
     def open(self, *, may_be_marked: bool):
-        """Return the document as opened by FreeCAD. It may have marks of an earlier test only if `may_be_marked`."""
+        """Return the document as opened by FreeCAD, or with the marks of an earlier test if `may_be_marked`."""
         if self.is_marked and not may_be_marked and not self._clear_marks():
             self.close()
         if self.document is None:

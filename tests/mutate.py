@@ -94,7 +94,7 @@ def _mutable(tree: ast.AST) -> Iterator[ast.AST]:
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             continue  # skip docstrings
         if isinstance(node, (ast.JoinedStr, ast.Raise)):
-            continue  # skip message texts
+            continue  # do not mutate the texts of messages
         if isinstance(node, (ast.Tuple, ast.List)) and _is_row(node.elts):
             continue  # skip rows of numbers, such as colours, because a test could only repeat the numbers
         yield node
@@ -245,7 +245,7 @@ class Checkout:
             self._write(own, original)
 
     def _write(self, file: Path, text: str) -> None:
-        """Write a source file with a new time stamp. Otherwise Python would reuse the compiled code."""
+        """Write a source file with a new time stamp, so that Python does not reuse compiled code of the former text."""
         file.write_text(text, encoding="utf-8")
         self.written += 1
         os.utime(file, (self.written, self.written))

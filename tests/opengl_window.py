@@ -17,7 +17,7 @@ DRAG, RELEASE = (QtCore.QEvent.MouseMove, _NONE, _LEFT), (QtCore.QEvent.MouseBut
 
 
 def send(window, x, y, kind):
-    """Send a mouse event. `y` is negative: the position relative to the window's lower edge, px."""
+    """Send a mouse event to a position `x` px from the left edge of the window and `-y` px above its lower edge."""
     where, (event, button, buttons) = QtCore.QPointF(x, window.height() + y), kind
     QtCore.QCoreApplication.sendEvent(
         window, QtGui.QMouseEvent(event, where, where, button, buttons, QtCore.Qt.NoModifier)
@@ -25,6 +25,6 @@ def send(window, x, y, kind):
 
 
 def click(window, x, y):
-    """Click with the left button. `y` is negative: the position relative to the window's lower edge, px."""
+    """Click with the left button, `x` px from the left edge of the window and `-y` px above its lower edge."""
     for kind in (MOVE, PRESS, RELEASE):
         send(window, x, y, kind)

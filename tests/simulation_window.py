@@ -133,7 +133,7 @@ class Desk:
         document.UndoMode = 0
 
     def simulate(self):
-        """Click on the command and return the tab. Its player is small except for the whole example."""
+        """Click on the command and return the tab, with a small player unless the whole example is simulated."""
         Gui.Selection.clearSelection()
         self.window.click(COMMAND)
         self.window.wait(lambda: tabs(self.window))

@@ -71,7 +71,8 @@ def test_table_names_every_operation_and_the_total(report):
         line for line in str(report).splitlines() if not line.startswith(("Rows in brackets", "Job: Less", "Job: More"))
     ]
     assert len(lines) == len(report.operations) + 4
-    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]  # as in the panel
+    # The results panel has the same column titles.
+    assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
         assert o.strategy.value in line and f"{o.trajectories:,}" in line
@@ -515,7 +516,8 @@ def test_memory_error_affects_only_its_own_mark(small, zigzag_commands, monkeypa
 
 def test_analysis_reads_each_input_once(small, zigzag_commands):
     """One analysis reads the commands, the tool and the stock of an operation once."""
-    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})  # cautions for arcs are computed, too
+    # An operation with an arc, so that the analysis also computes cautions for arcs.
+    arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})
     small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
     vkworkbench.analyze(small.document)  # the first analysis measures the computer
     RESULTS.clear()

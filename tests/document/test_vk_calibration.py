@@ -132,7 +132,8 @@ def test_no_temporary_file_stays_after_a_failed_write(folder):
     path.mkdir(parents=True)
     with pytest.raises(OSError):
         calibration.calibrate()
-    assert calibration.measured_speed().factor < Speed().factor  # measured although the file cannot be written
+    # The measured speed is used although the file cannot be written.
+    assert calibration.measured_speed().factor < Speed().factor
     assert list(path.parent.iterdir()) == [path]
 
 

@@ -95,7 +95,7 @@ def test_rounding_in_files_keeps_the_fingerprint(changed):
 
 
 def test_corner_at_half_a_hundredth_is_rounded_the_same_way():
-    """A corner is often a multiple of 0.005 mm (half of a size); such a corner is not on a limit of the rounding."""
+    """Many corners are multiples of 0.005 mm (half of a size), which must not be halfway between two rounded values."""
     for corner in (0.005, 0.125, 12.345, 3.175):
         assert of(upper=(60.0 + corner - 1e-9, 40.0, 20.0)) == of(upper=(60.0 + corner + 1e-9, 40.0, 20.0))
 

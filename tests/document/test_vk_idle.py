@@ -49,7 +49,8 @@ def window(monkeypatch):
 
 def test_long_work_continues_when_idle(window):
     idle.work(window.steps("a", 5))
-    assert window.done == ["a0", "a1"] and len(window.waiting) == 1  # each step takes 20 ms
+    # A slice of 30 ms ends after the second step of 20 ms.
+    assert window.done == ["a0", "a1"] and len(window.waiting) == 1
     window.idle()
     assert window.done == ["a0", "a1", "a2", "a3"]
     window.idle()

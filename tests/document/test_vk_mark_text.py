@@ -49,7 +49,8 @@ def test_time_is_near_the_budget_from_half_of_the_budget(seconds, expected):
         ({"cautions": (hangs("legacy"),)}, True),
         ({"cautions": (hangs("OpenGL"),)}, False),  # the preferences choose the legacy simulator, not OpenGL
         ({"cautions": (hangs("OpenGL"), hangs("legacy"))}, True),
-        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),  # short moves are no problem
+        # A caution about short moves is not serious.
+        ({"cautions": (Caution("short-moves", hangs("legacy").what, None),)}, False),
     ],
     ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )

@@ -228,7 +228,7 @@ def test_analysis_after_recompute_depends_on_the_preference(example, wanted):
     assert marks.is_outdated(drill) != wanted
     assert (marks.read(drill).fingerprint != before) == wanted
     assert not marks.is_marked(unmarked)
-    assert "Touched" not in drill.State and example.UndoCount == steps  # no new undo step
+    assert "Touched" not in drill.State and example.UndoCount == steps  # the change of a preference adds no undo step
 
 
 def test_travel_of_the_machine_is_compared_with_the_whole_job(small):

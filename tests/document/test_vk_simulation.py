@@ -45,8 +45,8 @@ def test_job_is_simulated_in_the_order_of_its_operations(small):
         done = vkworkbench.simulate(what, view=VIEW)
         assert [o.label for o in done.job.operations] == ["First", "Second"]
         assert done.trajectories == 6 and done.step == 6 and done.job.remarks == ()
-    # The second slot overlaps the first by 3 of 5 mm. So it adds an area of 100 mm² and, at the ends, the part of a
-    # disc outside another disc 2 mm away.
+    # The second slot overlaps the first slot by 3 of 5 mm. Therefore the second slot adds an area of 100 mm² and, at
+    # its ends, the part of a disc outside another disc at a distance of 2 mm.
     fine = vkworkbench.simulate(small.job, view=View((0, 0, -1), 500, 340))
     volumes = [fine.at(3).zbuffer.chip_volume, fine.zbuffer.chip_volume]
     assert volumes == pytest.approx([6 * (250 + 19.6), 6 * (250 + 19.6 + 100 + 9.7)], rel=0.02)
@@ -205,7 +205,8 @@ def test_image_of_the_part_shows_the_chosen_step(small, tmp_path):
     assert image.shape == before.shape == (80, 120, 3) and image.dtype == np.uint8
     changed = (image != before).any(axis=-1)
     row, column = np.nonzero(changed)
-    assert row.min() > 40 and column.max() - column.min() > 90  # pixels of the slot, near the front along X
+    # The changed pixels show the slot, which is near the front and extends along X.
+    assert row.min() > 40 and column.max() - column.min() > 90
     done.save_png(tmp_path / "part.png")
     assert (tmp_path / "part.png").read_bytes().startswith(b"\x89PNG")
     with pytest.raises(OSError):
@@ -334,7 +335,8 @@ def test_report_contains_simulation_findings(small, tmp_path):
         one.to_json(tmp_path / f"{name}.json")
         with open(tmp_path / f"{name}.csv", newline="", encoding="utf-8") as file:
             lines[name] = list(csv.DictReader(file))
-    assert list(lines["before"][0]) == list(lines["after"][0])  # the same columns, with or without a simulation
+    # The CSV file has the same columns before and after a simulation.
+    assert list(lines["before"][0]) == list(lines["after"][0])
     assert lines["before"][0]["simulated_crashes"] == "" and lines["after"][0]["simulated_crashes"] == "1"
     volume = found.operations[1][1].removed_volume
     assert float(lines["after"][1]["simulated_removed_volume"]) == volume > 0

@@ -63,7 +63,7 @@ def test_first_marks_are_visible_in_a_narrow_dock(untouched, opened, window):
 
 @pytest.mark.long
 def test_first_marks_are_visible_in_a_large_font(untouched, opened, window):
-    window.main.setGeometry(0, 0, 1700, 1000)  # wide enough for the tree and the 3D view
+    window.main.setGeometry(0, 0, 1700, 1000)  # px, with room for the tree beside the 3D view
     view, usual = window.tree, window.tree.font()
     large = QtGui.QFont(usual)
     large.setPointSizeF(1.5 * usual.pointSizeF())
@@ -89,7 +89,7 @@ def test_first_marks_are_visible_when_a_hidden_tree_is_shown(untouched, opened, 
     window.analyze(opened)
     assert window.dismiss() == []  # the analysis shows no message although the tree is hidden
     untouched.show()
-    untouched.raise_()  # the tasks may be a tab of the same dock
+    untouched.raise_()  # in front of the task panel, which can be a tab in the same place
     window.wait(lambda: untouched.width() > 300)
     window.dismiss()
     window.tree.expandAll()

@@ -354,7 +354,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
     (third,) = rest or [second]
     assert not rest or second not in third  # the third line of the title does not repeat the second line
     assert first == f"{label}: {found.strategy.value} {found.confidence:.0%}. {found.reason.replace('Phi', 'φ')}"
-    assert "φ" in first and "phi" not in view.title.text().lower()  # phi is always written φ
+    assert "φ" in first and "phi" not in view.title.text().lower()  # the title writes phi as φ
     assert f"level n = {row['level']}," in second
     assert second.startswith("φ between {} and {} turns".format(*map(ENGLISH.turns, found.phi_range)))
     # The drawn range is the named range of the area, its closing turn included.

@@ -248,7 +248,7 @@ def test_crash_is_found_in_three_clicks(desk, window):
     assert f"command {number + 1}: {code}" in player.play_bar.text.text()
     window.screenshot("simulation-crash-3")
     assert [chosen.Name for chosen in Gui.Selection.getSelection()] == [op.Name]
-    window.wait(lambda: player.known._holds)  # the document has been compared
+    window.wait(lambda: player.known._holds)  # wait until the document was compared with the simulated job
     (row,) = vkworkbench.analyze(op).operations
     assert [remark.code for remark in row.remarks if remark.code == "simulated"]
     close(window)
@@ -433,7 +433,7 @@ def test_tab_is_readable_on_light_and_dark_themes(desk, window, theme):
     for button in (player.play_bar.play_button, *player.play_bar.steps.values()):
         shown_of = button.grab().toImage()
         light = [shown_of.pixelColor(x, shown_of.height() // 2).lightness() for x in range(4, shown_of.width() - 4)]
-        assert max(light) - min(light) > 90  # the symbol is visible
+        assert max(light) - min(light) > 90  # the button's symbol contrasts with the button
     line = player.time_line.grab().toImage()
     beside = line.pixelColor(int(0.9 * line.width()), line.height() - 2).lightness()
     assert all((value < 100) == (theme == "dark") for value in (*corners, beside))
@@ -584,7 +584,7 @@ def test_faults_are_the_same_from_every_side(desk, document, window):
         player.look(side)
         finest(player, window)
         assert player.faults is found
-    window.wait(lambda: player.known._holds)  # the document has been compared
+    window.wait(lambda: player.known._holds)  # wait until the document was compared with the simulated job
     (row,) = vkworkbench.analyze(op).operations
     (told,) = [remark for remark in row.remarks if remark.code == "simulated"]
     assert told.arguments["count"] == len({fault.command for fault in found})

@@ -124,7 +124,7 @@ CHANGES = [larger_stock, switched_off, cut_off, moved, another_operation, other_
 @pytest.mark.parametrize("change", first_everywhere(CHANGES, 2))
 def test_change_is_shown_until_it_is_undone(desk, document, window, change):
     tab = desk.simulate()
-    window.wait(lambda: tab.player.known._holds)  # the document has been compared
+    window.wait(lambda: tab.player.known._holds)  # wait until the document was compared with the simulated job
     job = tab.player.job
     document.UndoMode = 1
     document.openTransaction("change")
@@ -158,7 +158,7 @@ def test_change_of_an_object_not_simulated_is_ignored(desk, document, window):
     document.addObject("Part::Box", "Beside")
     document.recompute()
     assert not tab.player.known._holds
-    window.wait(lambda: tab.player.known._holds)  # the document has been compared
+    window.wait(lambda: tab.player.known._holds)  # wait until the document was compared with the simulated job
     assert not tab.again.isVisible()
 
 
@@ -184,7 +184,7 @@ def test_outdated_tab_reports_no_faults(desk, document, window):
     op = crash(document)
     tab = desk.simulate()
     player = shown(tab, window)
-    window.wait(lambda: player.known._holds)  # the document has been compared
+    window.wait(lambda: player.known._holds)  # wait until the document was compared with the simulated job
     assert told(op) == ["simulated"]
     document.openTransaction("change")
     cut_off(document)

@@ -26,7 +26,8 @@ AT_START = {
 def test_start_loads_only_the_needed_modules():
     loaded = sys.modules_at_start
     ours = {name for name in loaded if name.partition(".")[0] == "vkworkbench"}
-    ours = {name for name in ours if not name.startswith("vkworkbench.language")}  # sentences on the preferences page
+    # The preferences page needs sentences from the package `language`, which may therefore be loaded.
+    ours = {name for name in ours if not name.startswith("vkworkbench.language")}
     assert "vkworkbench.gui.workbench" in ours
     assert ours <= AT_START
     assert "matplotlib" not in loaded
@@ -45,7 +46,8 @@ def test_switching_documents_does_not_compare_marks_again(opened, window, monkey
         FreeCAD.setActiveDocument(opened.Name)
         window.settle()
     assert compared == []
-    opened.addObject("App::FeaturePython", "New")  # marks are compared again, because it could be a copy with a mark
+    # A new object could be a copy with a mark, so marks are compared again.
+    opened.addObject("App::FeaturePython", "New")
     FreeCAD.setActiveDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)
     window.wait(lambda: compared)

@@ -85,7 +85,7 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     Parameters
     ----------
     going_on : callable
-        Called every tenth of a second during a measurement. An exception from it ends the measurement.
+        Called every tenth of a second during a measurement. If this function raises, the measurement ends.
     """
     if FreeCAD.GuiUp or load() is not None:
         return known_speed()
@@ -107,7 +107,8 @@ def calibrate(going_on: Callable[[], object] = lambda: None) -> Calibration:
     Parameters
     ----------
     going_on : callable
-        Called every tenth of a second. An exception from it ends the measurement; the earlier calibration then stays.
+        Called every tenth of a second. If this function raises, the measurement ends, and the earlier calibration
+        stays.
 
     Raises
     ------

@@ -38,7 +38,8 @@ _WHOLE_EDGE = ("chamfer", "countersink")
 class ShapeCache:
     """A cache of results that were computed for the most recently used shapes.
 
-    The shapes are stored, too. Otherwise a new shape at the memory address of a deleted shape would get the old result.
+    The cache also stores the shapes, because a new shape at the memory address of a deleted shape would otherwise get
+    the result of the deleted shape.
 
     Parameters
     ----------

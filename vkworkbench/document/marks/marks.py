@@ -100,8 +100,7 @@ def write(obj, report: OperationReport, chosen: Preferences, *, outdated: bool) 
 def write_total(job, chosen: Preferences, verdict: JobVerdict | None = None) -> None:
     """Mark a job with the total of its operations' marks. A job with an unmarked operation gets no mark.
 
-    A verdict replaces the verdict in the job's mark if the new verdict is valid for the job as it is now. Otherwise the
-    mark keeps its earlier verdict.
+    A new verdict replaces the verdict in the job's mark only if the new verdict is valid for the job as it is now.
     """
     parts = _parts(job)
     if not parts or None in parts.values():

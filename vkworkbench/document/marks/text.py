@@ -26,7 +26,7 @@ class Burden(IntEnum):
 
 
 def burden(record: Record, chosen: Preferences) -> Burden:
-    """Compare the time in the simulator of the preferences with the time budget. An unknown time is FINE."""
+    """Compare the time in the simulator of the preferences with the time budget; an unknown time counts as FINE."""
     cost = record.cost(chosen.simulator)
     share = cost[0] / chosen.time_budget if cost else 0.0
     return Burden.OVER if share > 1 else Burden.NEAR if share > _NEAR else Burden.FINE

@@ -58,7 +58,7 @@ class AlongAxis:
     def facts(self, tolerance: float, going_on: Callable[[], None] = lambda: None) -> JobFacts:
         """Return what the simulation found in the operations, and the verdict on the job; see `core.zbuffer.facts`.
 
-        `going_on` is called many times a second during most of the work. An exception from it ends the work.
+        `going_on` is called many times a second during most of the work. If `going_on` raises, the work ends.
         """
         thin, seen = None, self.seen
         if seen is not None:
@@ -82,7 +82,8 @@ def simulate_along_axis(
     memory_budget : float
         Upper bound for the memory, bytes. The time budget comes from the preferences.
     going_on : callable, optional
-        Called many times a second with the completed share of the simulation, 0 to 1. An exception from it ends the work.
+        Called many times a second with the completed share of the simulation, 0 to 1. If this function raises, the
+        simulation ends.
 
     Raises
     ------

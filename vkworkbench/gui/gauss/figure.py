@@ -21,7 +21,7 @@ from vkworkbench.gui.qt.names import QColor, QFontMetrics, QPainter, QPen, QPoin
 from vkworkbench.gui.qt.sentences import strategy_name, user
 
 TRAIL = 1000  # number of trajectories before trajectory k that are highlighted and drawn on the Gauss map
-_COLUMNS = 1000  # number of parts of a curve, of which `thinned` draws at most four points each
+_COLUMNS = 1000  # number of parts of a curve, in each of which `thinned` keeps at most four points
 _MARKERS = 500
 _WIDE = 1.8  # minimum ratio of width to height for three plots in one row
 _MIN_PLOT = 90  # minimum height of a plot, px
@@ -73,7 +73,7 @@ class GaussFigure:
         self._width = width
         line = text.height()
         left, right, below = 62.0, 8.0, line + 6.0
-        above = 2 * line + 4.0  # room for the graph's legend
+        above = 2 * line + 4.0  # height of the two lines of text above the graph, px
         height -= top
         if width > _WIDE * height or height < 2 * self.min_height(text):
             each = (width - 2 * _GAP) / 3.5
@@ -173,7 +173,7 @@ class GaussFigure:
         return first + thinned(values[first:last], _COLUMNS)
 
     def _paint_bounds(self, painter: QPainter, theme: Theme) -> None:
-        """Draw the limits of phi as dashed lines, highlighted if the paper's rule for the strategy depends on them."""
+        """Draw the limits of phi as dashed lines, highlighted if phi meets the paper's condition for the strategy."""
         plot = self.graph
         plot.clipped(painter)
         painter.setPen(

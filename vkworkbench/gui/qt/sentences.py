@@ -82,7 +82,7 @@ def plural(one: str, more: str, count: int) -> str:
 
 
 def strategy_name(strategy: Enum) -> str:
-    """Return the name of a member of `Strategy` in the user's language. Does not import numpy."""
+    """Return the name of a member of `Strategy` in the user's language, without importing numpy."""
     return user().translate("Strategy", strategy.label)
 
 

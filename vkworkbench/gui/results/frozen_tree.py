@@ -38,7 +38,8 @@ class FrozenTree(QTreeView):
         for view in (self, self._above):
             view.setModel(model)
             view.setUniformRowHeights(True)
-            view.setTextElideMode(Qt.ElideMiddle)  # the end stays visible, in which labels of operations often differ
+            # Shorten a long label in its middle, because labels of operations often differ only at the end.
+            view.setTextElideMode(Qt.ElideMiddle)
             view.setAlternatingRowColors(True)
             view.setExpandsOnDoubleClick(False)
             view.setSelectionMode(QAbstractItemView.ExtendedSelection)

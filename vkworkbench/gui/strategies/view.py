@@ -43,7 +43,7 @@ def _groups(obj) -> list[coin.SoGroup]:
 
 
 class _Shown:
-    """The lines of one document, by the names of operations."""
+    """The coloured lines of the operations of one document, by the names of the operations."""
 
     def __init__(self, document_name: str) -> None:
         self._document = document_name

@@ -35,7 +35,7 @@ class Level(IntEnum):
 
 @dataclass(frozen=True)
 class Notice:
-    """One sentence with its severity."""
+    """An error, a warning or a note: a sentence with its severity."""
 
     level: Level
     text: str
