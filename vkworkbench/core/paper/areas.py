@@ -130,7 +130,7 @@ class Areas(Moves):
 
     @cached_property
     def signed_extremes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest phi of each area, with the chosen signs of half turns and no closing turn, (a,) rad each."""
+        """Lowest and highest phi of each area, with the chosen signs of half turns, no closing turns, (a,) rad each."""
         return extremes(self.signed[1], self.start) if len(self.unsigned) else self.phi_extremes
 
     @cached_property

@@ -173,7 +173,7 @@ def _returns(
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
     # The turn from the last move of a stretch into its first has no sign if it is half a turn. If a stretch begins at
-    # the tip of a lead-in, both one loop and two loops would then have a net turn of 2 pi, so stretches whose closing
+    # the tip of a lead-in, both one loop and two loops could then have a net turn of 2 pi, so stretches whose closing
     # turn is half a turn are not loops.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]

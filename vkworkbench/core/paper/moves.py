@@ -233,12 +233,12 @@ def _without_air(
     lifted = rises | (a == 0) | (top & rapid[a - 1])
     plunges = falls | (b == end - 1) | (top & rapid[np.minimum(b + 1, len(rapid) - 1)])
     air = horizontal & steps.goes_on(b, a) & lifted & plunges
-    # A horizontal stretch of a pass between two walls of the part is not a link in the air. A horizontal stretch of a
-    # pass has the direction of a lower move of the pass directly before or after it.
+    # A horizontal part of a pass between two walls of the part is not a link in the air. A horizontal part of a pass
+    # has the direction of a lower move of the pass directly before or after it.
     before, after = b[:-1], a[1:]
     onward = steps.goes_on(before, after)
-    # A move at the top height between two rapids is a link in the air, whatever its direction: a post processor wrote a
-    # rapid as a feed.
+    # A move at the top height between two rapids is not a part of a pass, whatever its direction: a post processor
+    # wrote a rapid as a feed.
     fast = top & (a > 0) & rapid[a - 1] & rapid[np.minimum(b + 1, len(rapid) - 1)]
     air[1:] &= fast[1:] | ~(onward & (z[before + 1] < z[after] - MOVES.STILL))
     air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))

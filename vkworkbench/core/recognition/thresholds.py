@@ -35,9 +35,9 @@ class ROUNDING:
     #: differ by more than the threshold. With the value 0, the turns of a helix made of chords all have different
     #: shapes, and the helix is recognised as a profile.
     AREA = 0.05
-    #: mm. Two pieces (loops, zigzags or strokes) have the same footprint if their bounding boxes, and their lengths,
-    #: differ by at most the threshold. With a higher value, the contours of a waterline count as repetitions of one
-    #: contour.
+    #: mm. Two pieces of the toolpath (loops, zigzags or strokes) have the same footprint if their bounding boxes, and
+    #: their lengths, differ by at most the threshold. With a higher value, the contours of a waterline count as
+    #: repetitions of one contour.
     GROUND = 0.1
 
 
@@ -87,14 +87,14 @@ class ENTRY:
     #: share; otherwise the descent is part of the pattern. With the value 0, helices that end with a horizontal turn
     #: are recognised as profiles. With a higher value, a helix that enters a pocket is recognised as the operation.
     LEADS = 0.25
-    #: share of the piece's length. A piece (a loop, zigzag or stroke) is cut at one depth if more than this share of
-    #: its length is horizontal; the other moves are ramps, or cuts over tags. With a lower value, horizontal parts of
-    #: rows on surfaces count as depths. With the value 1, ramped contours have no depth. No recognised strategy depends
-    #: on this threshold.
+    #: share of the piece's length. A piece (a loop, zigzag or stroke) has one or several depths if more than this share
+    #: of its length is horizontal; the other moves are ramps, or cuts over tags. With a lower value, horizontal parts
+    #: of rows on surfaces count as depths. With the value 1, ramped contours have no depth. No recognised strategy
+    #: depends on this threshold.
     LEVEL = 0.75
-    #: share of the piece's length. A height counts as a depth of a piece that is cut at several depths if more than
-    #: this share of the piece's length is horizontal at this height. With the value 0, every height at which a piece is
-    #: horizontal is a depth. With the value 1, rows that are cut at several depths without a lift have no depth.
+    #: share of the piece's length. A height counts as one of several depths of a piece if at least this share of the
+    #: piece's length is horizontal at this height. With the value 0, every height at which a piece is horizontal is a
+    #: depth. With the value 1, rows that are cut at several depths without a lift have no depth.
     ONE_OF_SEVERAL = 0.3
 
 
@@ -115,20 +115,22 @@ class PASSES:
     #: larger than the threshold. With the value 0, links are passes, and the profile of a comb is recognised as a
     #: zigzag. With the value 1, ramps cut back and forth are recognised as strokes.
     ALONG = 0.9
-    #: count. A stretch with at most this number of passes can be an engraved letter with slanted strokes, such as N, W
-    #: or Z. With the value 0, engraved names are recognised as zigzags.
+    #: count. A part of the toolpath with at most this number of passes can be an engraved letter with slanted strokes,
+    #: such as N, W or Z. With the value 0, engraved names are recognised as zigzags.
     OF_A_LETTER = 4
-    #: cosine. A stretch of at most OF_A_LETTER passes counts as rows only if the cosine of the angle between its passes
-    #: and the axis is larger than the threshold. With the value 0, every such stretch counts as rows. With the value 1,
-    #: no such stretch counts as rows, and ramps cut back and forth are recognised as letters.
+    #: cosine. A part of the toolpath with at most OF_A_LETTER passes counts as rows only if the cosine of the angle
+    #: between its passes and the axis is larger than the threshold. With the value 0, every part with so few passes
+    #: counts as rows. With the value 1, no part with so few passes counts as rows, and ramps cut back and forth are
+    #: recognised as letters.
     PARALLEL = 0.99
-    #: share of the length of the passes. A stretch of at most OF_A_LETTER passes counts as rows only if more than this
-    #: share of its passes is parallel to the axis, according to PARALLEL. With the value 0, a letter with one upright
-    #: stroke is recognised as a zigzag. With the value 1, rows with links nearly parallel to the rows are recognised as
-    #: letters.
+    #: share of the length of the passes. A part of the toolpath with at most OF_A_LETTER passes counts as rows only if
+    #: more than this share of its passes is parallel to the axis, according to PARALLEL. With the value 0, a letter
+    #: with one upright stroke is recognised as a zigzag. With the value 1, rows with links nearly parallel to the rows
+    #: are recognised as letters.
     SHARE = 0.8
-    #: share of the stretch's length. A stretch goes back and forth if more than this share of its passes lies between
-    #: half-turns of opposite sign. With the value 1, zigzags with a part of the boundary are recognised as mixed.
+    #: share of the stretch's length. A stretch of moves goes back and forth if more than this share of its passes lies
+    #: between half-turns of opposite sign. With the value 1, zigzags with a part of the boundary are recognised as
+    #: mixed.
     ALTERNATING = 0.3
     #: ratio. In a zigzag, the passes between half-turns of opposite sign are longer in total, by more than this factor,
     #: than the passes between half-turns of equal sign. With a lower value, grids are recognised as mixed.
@@ -142,8 +144,9 @@ class PASSES:
 class WINDINGS:
     """Spirals, helices and other windings, which go around several times without closing."""
 
-    #: turns. A stretch whose net turn is larger than the threshold is a winding. With a lower value, letters are
-    #: recognised as windings. With an infinite value, spirals are recognised as profiles.
+    #: turns. A stretch of moves that does not close is a winding, such as a spiral, if its net turn is larger than the
+    #: threshold. With a lower value, letters are recognised as windings. With an infinite value, spirals are recognised
+    #: as profiles.
     TURN = 1.2
     #: turns. The rest of a winding after its last full turn counts as a full turn if the rest turns by more than the
     #: threshold. With the value 0, round pockets cut in a spiral of few turns are recognised as adaptive clearing. With
@@ -312,7 +315,7 @@ class RINGS:
     SURROUNDS = 0.15
     #: share of the section's length, and of the rings' length. The strategy is decided by nested rings (offsets) if all
     #: rings have more than this share of the section's length, and nested rings have more than this share of the rings'
-    #: length. With the value 0, spirals that the boundary cuts open are recognised as adaptive clearing. With the value
+    #: length. With the value 0, spirals interrupted at the boundary are recognised as adaptive clearing. With the value
     #: 1, linked offsets are recognised as spirals.
     OFFSETS = 0.7
     #: share of the section's length. The rings decide the strategy if rings have more than this share of the section's
@@ -359,12 +362,12 @@ class WATERLINES:
     #: scaled is recognised as contour-parallel.
     ROUNDING = 0.01
     #: depths. Open contours are a waterline only if they have at least this number of depths. With a lower value,
-    #: letters and open profiles are recognised as waterlines. With a higher value, waterlines cut open by the stock are
-    #: recognised as engravings.
+    #: letters and open profiles are recognised as waterlines. With a higher value, waterlines interrupted at the sides
+    #: of the stock are recognised as engravings.
     OPEN_DEPTHS = 4
     #: share of the section's length. Open contours are not a waterline if sloped strokes have more than this share of
-    #: it. With the value 0, no open contours are a waterline. With the value 1, V-carving in real programs is
-    #: recognised as a waterline.
+    #: the section's length. With the value 0, no open contours are a waterline. With the value 1, V-carving in real
+    #: programs is recognised as a waterline.
     SLOPED = 0.2
 
 
@@ -391,8 +394,8 @@ class TROCHOIDS:
 class ROWS:
     """Rows: parallel passes side by side."""
 
-    #: directions in half a turn. Number of classes of directions in the search for the densest direction. With the
-    #: value 1, grids have no axis.
+    #: directions in half a turn. Number of classes of directions in the search for the most frequent direction. With
+    #: the value 1, grids have no axis.
     DIRECTIONS = 64
     #: values. Largest number of values from which medians are computed, and of passes from which the lines of a family
     #: of rows are found. With the value 1, zigzags are recognised as engravings. A larger sample takes time and does
@@ -420,15 +423,16 @@ class ROWS:
     PITCH_FREQUENCY = 0.8
     #: share of the usual distance between neighbouring rows. Gaps between lines are equal if they differ by less than
     #: this share of the pitch. With the value 0, zigzags that end at their start are recognised as profiles of combs.
-    #: With a higher value, only half the stepover is found for lattices with nearly evenly spaced lines.
+    #: With a higher value, only half the stepover is found for rows that bounce from wall to wall (a lattice) if the
+    #: lines are nearly evenly spaced.
     SAME_GAP = 0.02
     #: lines. Largest number of lines in a period. With the value 1, all rows count as evenly spaced, and zigzags that
     #: end at their start are recognised as profiles of combs. A higher value gains nothing.
     MAX_PERIOD = 12
     #: pitches. Largest distance between lines in the search for the period. The pitch (distance between neighbouring
     #: rows) is very small if two sets of rows nearly coincide, so that the period is many times the pitch. With a lower
-    #: value, the stepovers of lattices are wrong. With a higher value, distances between the lines of different pockets
-    #: need much memory.
+    #: value, a wrong stepover is found for rows that bounce from wall to wall (a lattice). With a higher value,
+    #: distances between the lines of different pockets need much memory.
     FARTHEST = 1000
     #: share of the rows' length. Passes are not rows if the passes with a neighbour at the usual distance have no more
     #: than this share of the rows' length. With the value 0, passes of adaptive clearing and waterlines are recognised
@@ -479,12 +483,12 @@ class ARCS:
     """Concentric arcs: open strokes around one centre."""
 
     #: cosine. A move lies on a circle if the cosine of its angle to the ray from the centre is smaller than the
-    #: threshold. With the value 0, circles that the boundary cuts open are recognised as engravings. With the value 1,
+    #: threshold. With the value 0, circles interrupted at the boundary are recognised as engravings. With the value 1,
     #: open waterlines are recognised as spirals.
     SQUARE = 0.15
     #: share of the squared trace. Moves have no common centre, because they are nearly parallel, if the determinant of
     #: the matrix of their directions is smaller than this share of the square of its trace. With the value 0, straight
-    #: rows cause a division by zero. With the value 1, circles that the boundary cuts open have no centre.
+    #: rows cause a division by zero. With the value 1, circles interrupted at the boundary have no common centre.
     STRAIGHT_ROWS = 0.01
     #: share of the stroke's length. A stroke is an arc if more than this share of its length lies on a circle around
     #: the common centre. With the value 0, open waterlines are recognised as spirals.
@@ -493,7 +497,7 @@ class ARCS:
     #: outlines that adaptive clearing leaves on thin stock count as arcs with many radii.
     RADIUS = 0.3
     #: steps. An arc is part of a spiral if its radius changes by more than the threshold in one full turn. With the
-    #: value 0, circles that the boundary cuts open are recognised as spirals. With a higher value, adaptive clearing
+    #: value 0, circles interrupted at the boundary are recognised as spirals. With a higher value, adaptive clearing
     #: from a centre is recognised as contour-parallel.
     DRIFT = 0.3
 
@@ -516,7 +520,7 @@ class NEIGHBOURS:
     EVEN = 0.3
     #: share of the neighbouring strokes' length. Open strokes are adaptive clearing only if more than this share of
     #: their length has the direction of its neighbour, because adaptive clearing always mills in one direction. With a
-    #: lower value, offsets that a side of the part cuts open are recognised as adaptive clearing in real programs.
+    #: lower value, offsets interrupted at a side of the part are recognised as adaptive clearing in real programs.
     ONWARD = 0.9
     #: share of the strokes' length. Open strokes cover an area, and are not letters, if strokes with neighbours have
     #: more than this share of the length of all strokes. With the value 1, open strokes never count as covering an
@@ -538,8 +542,8 @@ class BITES:
     #: section's length. With the value 0, spirals and profiles in real programs are recognised as adaptive clearing.
     #: With the value 1, no toolpath is recognised as adaptive clearing because of its bites.
     SHARE = 0.1
-    #: bites. Minimum number of bites in adaptive clearing. With the value 1, V-carving and circles that the boundary
-    #: cuts open are recognised as adaptive clearing. With a value of 20, adaptive clearing of small pockets is
+    #: bites. Minimum number of bites in adaptive clearing. With the value 1, V-carving and circles interrupted at the
+    #: boundary are recognised as adaptive clearing. With a value of 20, adaptive clearing of small pockets is
     #: recognised as a spiral.
     COUNT = 10
     #: share of the bites' length. Bent strokes are letters, and not bites, if the strokes that bend in the opposite
@@ -605,7 +609,7 @@ class PARTS:
     #: have less than this share in total and use the same tool. With the value 0, rasters on surfaces and circuits with
     #: a hole are recognised as mixed.
     ASIDE = 0.05
-    #: share of the program's cutting length. After a certain border (e.g. a tool change), a single section of another
+    #: share of the program's cutting length. After a certain border, such as a tool change, a single section of another
     #: operation makes a program mixed if the section has more than this share of the program's cutting length. With the
     #: value 1, short zigzags before a profile are ignored.
     CERTAIN = 0.001
@@ -630,12 +634,12 @@ class VISITS:
     """Retracts that begin another operation; benchmarks/learn_borders.py learns the model."""
 
     #: share of the decision trees' votes. Another operation begins at a retract if more than this share of the decision
-    #: trees vote for it. With the value 0, every visit counts as an operation, and pockets are recognised as mixed.
-    #: With the value 1, no retract begins another operation, and a zigzag followed by a profile is recognised as one
-    #: operation.
+    #: trees' votes is for it. With the value 0, another operation begins at every retract to the top height, and
+    #: pockets are recognised as mixed. With the value 1, no retract begins another operation, and a zigzag followed by
+    #: a profile is recognised as one operation.
     BORDER = 0.3
-    #: share of the decision trees' votes. If between this share and the share BORDER of the decision trees vote that
-    #: another operation begins at a retract, the strategies recognised before and after the retract also decide. With
+    #: share of the decision trees' votes. If the share of the decision trees' votes for another operation at a retract
+    #: is between this threshold and BORDER, the strategies recognised before and after the retract also decide. With
     #: the value 1, the strategies before and after a retract never decide, and a pocket followed by another pattern is
     #: recognised as one operation.
     DOUBTFUL = 0.03
@@ -644,12 +648,12 @@ class VISITS:
     #: right. With the value 0, another operation begins at every doubtful retract between different strategies, and
     #: pockets are recognised as mixed.
     DIFFER = 0.6
-    #: share of the decision trees' votes. If at least this share of the decision trees vote that another operation
-    #: begins at a retract, even a contour around a cleared area is another operation and not the area's finishing pass.
+    #: share of the decision trees' votes. If at least this share of the decision trees' votes is for another operation
+    #: at a retract, even a contour around a cleared area is another operation and not the area's finishing pass.
     SURE = 0.5
     #: visits. Number of previous visits (cuts between two retracts) that each visit is compared with, to find ground
     #: that is cut again. With the value 1, each visit is compared only with the visit before it. Comparing more visits
-    #: improves the recognition only a little.
+    #: (cuts between two retracts) improves the recognition only a little.
     EARLIER = 8
     #: visits. Largest number of retracts at which a program is divided into operations. With a higher value, programs
     #: take longer to recognise, because each section is recognised separately. With the value 1, most programs are
@@ -708,20 +712,21 @@ class MEASURED:
     #: share of the area's length. An area counts as closed in the measures if the distance from its start to its end is
     #: below this share of its length.
     CLOSED = 0.02
-    #: turns. An arc of the Gauss map is a half turn, as between alternating rows, if it differs from a half turn by
-    #: less than the threshold.
+    #: turns. An arc of the Gauss map (consecutive turns in one sense) is a half turn, as between alternating rows, if
+    #: it differs from a half turn by less than the threshold.
     HALF = 0.1
-    #: turns. An arc of the Gauss map that is shorter than the threshold is only a bend.
+    #: turns. An arc of the Gauss map (consecutive turns in one sense) that is shorter than the threshold is only a
+    #: bend.
     SHORT = 0.3
-    #: turns. An arc of the Gauss map that is longer than the threshold belongs to a contour, around which the direction
-    #: turns fully.
+    #: turns. An arc of the Gauss map (consecutive turns in one sense) that is longer than the threshold belongs to a
+    #: contour.
     LONG = 0.75
     #: count. Number of classes into which turns are divided by their size, from no turn to an exact reversal.
     TURNS_BY = 12
     #: rings. Number of sampled rings from which the shares of the kinds of rings are computed.
     RINGS = 500
-    #: ratio. Upper bound for the measure `evenness`, which compares the steps between rings in the plane with the steps
-    #: in depth.
+    #: ratio. Upper bound for the measure `evenness`, which compares the spread of the rings' horizontal distances with
+    #: the spread of their vertical distances.
     EVENNESS = 1000
 
 
@@ -756,8 +761,8 @@ class VOTES:
     """How the votes of the learned decision trees determine the strategy and its confidence."""
 
     #: share of the decision trees' votes. The strategy of a section is unknown if more than this share of the decision
-    #: trees vote for nonsense. With the value 1, a strategy is recognised even for random walks. With the value 0.5,
-    #: outlines of snowflakes are recognised as nonsense. With the value 0, engravings are recognised as nonsense.
+    #: trees' votes is for nonsense. With the value 1, a strategy is recognised even for random walks. With the value
+    #: 0.5, outlines of snowflakes are recognised as nonsense. With the value 0, engravings are recognised as nonsense.
     NONSENSE = 0.6
     #: share of the decision trees' votes. A share of the votes is increased to at least this value, and lowered to at
     #: most 1 minus this value, before its odds are computed. With the value 0, the log odds of a share of 0 or 1 are

@@ -32,7 +32,7 @@ class Shapes(NamedTuple):
         Tolerance factor: 1 for closed loops; 2 for turns of spirals and other windings, which are open and have
         approximate areas.
     turn, rest : (k,) bool
-        Whether the ring is a full horizontal turn of a winding (e.g. of a spiral); whether the ring is the rest of a
+        Whether the ring is a full horizontal turn of a winding such as a spiral; whether the ring is the rest of a
         winding after its last full turn.
     """
 
@@ -68,7 +68,7 @@ class Shift(NamedTuple):
 
 
 class Inward(Dict[int, Shift]):
-    """How far each ring lies inside an earlier ring; the key is the `lag`, e.g. 1 for the previous ring.
+    """How far each ring lies inside an earlier ring; the key is the `lag`, which is 1 for the previous ring.
 
     Each shift is computed at its first use.
 

@@ -94,8 +94,8 @@ def cut_pieces(moves: Areas) -> Pieces:
     parts = _Stretches(moves, start)
     net, closed = parts.net()
     kind = np.where(loop[start] | (closed & is_one_turn(net)), LOOP, STROKE)
-    # Only two kinds of stretches can go back and forth: open stretches of at least three moves, and loops whose left
-    # and right turns cancel out by at least a full turn.
+    # Only two kinds of stretches (consecutive moves) can be zigzags: open stretches of at least three moves, and loops
+    # whose left and right turns cancel out by at least a full turn.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
         able[:] = False  # stretches with such a small total length are links between loops
@@ -170,7 +170,7 @@ def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:
 
 
 class _Stretches:
-    """All moves, divided into k consecutive stretches, with the measures of every stretch."""
+    """All moves, divided into k stretches of consecutive moves, with the measures of every stretch."""
 
     def __init__(self, moves: Areas, start: np.ndarray) -> None:
         self.moves = moves

@@ -142,7 +142,7 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
 
 
 class _Compared(NamedTuple):
-    """The relations of k rings.
+    """The relations of k rings to the rings near them in the order of cutting.
 
     Attributes
     ----------

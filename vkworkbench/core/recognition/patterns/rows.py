@@ -32,7 +32,7 @@ class Rows:
     lines : int
         Number of different lines on which the passes lie, counted for up to a thousand passes.
     once : float
-        Length of the passes without those that follow the previous pass's line again, e.g. at another depth, mm.
+        Length of the passes, except those that follow the previous pass's line again, such as at another depth, mm.
     opposite, same : float
         Length of the passes whose neighbouring pass runs in the opposite direction, and in the same direction, mm.
     step : float
@@ -40,9 +40,9 @@ class Rows:
     pitch : float
         Median distance between neighbouring rows, whatever the order of cutting, mm.
     period : float
-        Distance after which the lines repeat, mm. A lattice whose passes bounce off the boundary has two sets of lines
-        in each pocket. Lines of one set are one stepover apart, and the distance between the sets is arbitrary. The
-        period of such a lattice is the stepover. The period of evenly spaced rows is the pitch.
+        Distance after which the lines repeat, mm. A lattice (rows that bounce off the boundary) has two sets of lines
+        in each pocket. In a lattice, lines of one set are one stepover apart, and the distance between the sets is
+        arbitrary. The period of a lattice is the stepover. The period of evenly spaced rows is the pitch.
     even : float
         Share of the steps that are close to the usual step.
     steep : bool
@@ -179,7 +179,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
 
 
 def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
-    """Return whether most steps as small as rounding errors go to one side, as in fine rows, and not to both sides."""
+    """Return whether most steps as small as rounding errors go to one side, so that they are steps between fine rows."""
     small = step[(lateral > ROWS.FINEST) & (lateral <= ROUNDING.PLACE)]
     if len(small) < max(ROWS.MANY, MAJORITY.SHARE * np.count_nonzero(lateral > ROWS.FINEST)):
         return False
@@ -222,7 +222,7 @@ class _Passes(NamedTuple):
 
 
 def _densest(moves: Areas, chosen: np.ndarray) -> Rows | None:
-    """Return the rows along the densest direction; None if no move has this direction."""
+    """Return the rows along the most frequent direction; None if no move has this direction."""
     axis, along, aligned, length = _main_axis(moves, chosen)
     if not len(aligned):
         return None

@@ -31,7 +31,7 @@ from vkworkbench.core.recognition.thresholds import (
     WINDINGS,
 )
 
-_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # the outermost side of several boxes * _LOW is always the lowest number
+_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # makes the outermost side of several boxes the lowest number
 
 
 class Corrections(NamedTuple):
@@ -65,9 +65,9 @@ class Section:
         The moves of `areas` without leads and spurs (detours out and back on one line), and with the parts of contours
         that are lifted over holding tags joined.
     wound : float
-        Share of the length in helical lead-ins, which are not in `moves`.
+        Share of the section's length in helical lead-ins, which are not in `moves`.
     in_strokes : float
-        Share of the length in contours whose parts between holding tags are cut separately.
+        Share of the section's length in contours whose parts between holding tags are cut separately.
     """
 
     def __init__(self, areas: Areas, tool: float) -> None:
@@ -217,11 +217,11 @@ class Section:
         return found
 
     def share(self, rings: np.ndarray) -> float:
-        """Return the share of the cutting length in the chosen rings."""
+        """Return the share of the section's cutting length in the chosen rings."""
         return float(self.rings.length[rings].sum()) / self.length
 
     def part(self, strokes: np.ndarray) -> float:
-        """Return the share of the cutting length in the chosen strokes."""
+        """Return the share of the section's cutting length in the chosen strokes."""
         return float(self.strokes.length[strokes].sum()) / self.length
 
     def cornered(self) -> float:
@@ -271,7 +271,7 @@ class Section:
         float
             Share of the rows' length inside a ring, which is the contour of the walls around the rows.
         float
-            Share of the rings' length in contours of islands: level rings that are not nested and lie amid rows.
+            Share of the rings' length in contours of islands: horizontal rings that are not nested and lie amid rows.
         """
         pieces, row, ring = self.pieces, np.flatnonzero(self.row_pieces), self.rings.index
         if not len(row) or not len(ring):

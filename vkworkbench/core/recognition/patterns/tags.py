@@ -30,7 +30,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
     Areas
         The areas, in which each interrupted contour is one area.
     float
-        Share of the length in the joined contours.
+        Share of the toolpath's length in the joined contours.
     """
     count = len(moves.start)
     if count < 2:
@@ -69,7 +69,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
 def _pass_by_pass(moves: Areas) -> Areas:
     """Return the areas in their order around the contour, if each stroke is cut to full depth before the next stroke.
 
-    Parts that are cut back and forth at several depths are all turned into one direction.
+    Parts that are cut back and forth, at one depth after the other, are all turned into one direction.
     """
     count, first, last = len(moves.start), moves.start, moves.end - 1
     end_x, end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]

@@ -22,7 +22,7 @@ from vkworkbench.language import Message
 
 
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
-    """Return the borders, before which another operation can begin, and whether each border is certain.
+    """Return the borders (trajectories before which another operation can begin), and whether each border is certain.
 
     Tool changes, and both ends of a run of drilled holes, are certain borders. A comment that is a title is an
     uncertain border. Other comments are ignored.
@@ -82,7 +82,7 @@ def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
 
 
 class Sections:
-    """The parts of a toolpath between borders, before which another operation can begin.
+    """The parts of a toolpath between borders (possible starts of operations).
 
     Each section is recognised once and cached.
 
@@ -128,7 +128,7 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
     sections : Sections
         Sections of the program.
     borders : collection of int
-        Borders that are not retracts.
+        Borders (possible starts of other operations) that are not retracts.
     retracts : dict
         Trajectories of retracts after which another operation can begin, with probabilities.
     """
@@ -143,17 +143,17 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
         if retracts[at] <= VISITS.BORDER and _odds(retracts[at]) * _odds_of_difference(*pair) > VISITS.DIFFER
     }
     times = Counter(names.values())
-    # Two patterns that alternate, at each depth or at each place, are one operation.
+    # If a program alternates between two strategies, at each depth or at each place, both strategies are one operation.
     dividing = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
     dividing |= {at for at, probability in retracts.items() if probability > VISITS.BORDER}
-    # A pattern and the contours that finish its walls are one operation.
+    # An operation that clears an area can also contain the contours that finish the area's walls.
     uncertain = {at for at in retracts if retracts[at] < VISITS.SURE}
     dividing -= within_operations(sections.toolpath, cuts, uncertain)
     return [at for at in retracts if at in dividing]
 
 
 def _odds_of_difference(one: Recognition, other: Recognition) -> float:
-    """Return the odds that two sections are different operations; 0 if one operation can contain both strategies."""
+    """Return the odds that two sections of a program are different operations; 0 if one can have both strategies."""
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
     # The two strategies can be one operation, because adaptive clearing of a round pocket winds like a spiral.
@@ -210,14 +210,14 @@ def _stretches(borders: Mapping[int, bool], cuts: list[CutSection]) -> np.ndarra
 
 
 def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
-    """Return the share of each section in the cutting length, (k,)."""
+    """Return each section's share of the program's cutting length, (k,)."""
     length = np.array([sum(cutting_length(toolpath, s.first, s.last) for s in one.spans) for one in found])
     share: np.ndarray = length / length.sum()
     return share
 
 
 def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:
-    """Return whether each section is long enough for an operation, (k,) bool.
+    """Return whether each section of a program is long enough for an operation, (k,) bool.
 
     Sections of drilled holes are always long enough.
     """
@@ -262,11 +262,11 @@ def _joined(found: list[Recognition], operation: np.ndarray) -> list[tuple[int, 
 def _agree(
     toolpath: Toolpath, whole: Recognition, found: list[Recognition], share: np.ndarray, operation: np.ndarray
 ) -> Recognition:
-    """Return the strategy of the whole program, or of its longest section if all sections contradict the whole.
+    """Return the strategy of the whole program, or of its longest section if all sections have other strategies.
 
     Sections that are too short to show a strategy are ignored, because some programs give a title to each loop of a
-    waterline or to each row of a zigzag. The remaining sections can only contradict the whole if they have at least
-    half of its length.
+    waterline or to each row of a zigzag. Sections can only contradict the strategy of the whole program if together
+    they have at least half of the program's length.
     """
     clear = [k for k, r in enumerate(found) if r.strategy is not Strategy.UNKNOWN and not _short(r, 2)]
     if share[clear].sum() < MAJORITY.SHARE or whole.strategy in {found[k].strategy for k in clear}:
@@ -279,7 +279,7 @@ def _agree(
 
 
 def _short(one: Recognition, loops: int) -> bool:
-    """Return whether a section has fewer than `loops` loops and too few passes to show a strategy.
+    """Return whether a section of a program has fewer than `loops` loops and too few passes to show a strategy.
 
     One loop is enough to show that a section beside rows is another operation. Two loops are needed to contradict the
     strategy recognised for the whole program.
@@ -288,9 +288,9 @@ def _short(one: Recognition, loops: int) -> bool:
 
 
 def _differs(one: Recognition, main: Recognition, apart: bool, program: bool) -> bool:
-    """Return whether a section is another operation than the main section.
+    """Return whether a section of a program is another operation than the longest section.
 
-    After a certain border (e.g. a tool change), a section with another strategy is another operation. A comment alone
+    After a certain border, such as a tool change, a section with another strategy is another operation. A comment alone
     divides only strategies of different families, because FreeCAD gives titles to the passes of one operation. For
     example, the roughing of a pocket is contour-parallel, and its finishing pass is a profile.
     """

@@ -32,7 +32,7 @@ def shipped_trees() -> Trees:
 
 @dataclass(frozen=True)
 class Visits:
-    """Measures of k visits.
+    """Measures of k visits (the cutting between two retracts to the top height).
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ class Visits:
 
 
 def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
-    """Divide the cutting at retracts to the program's top height; None if there is only one visit.
+    """Divide all cutting into visits at the retracts to the top height; return None if there is only one visit.
 
     Parameters
     ----------
@@ -208,7 +208,7 @@ def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
 
 
 def _ground(visits: Visits) -> np.ndarray:
-    """Return the area of the bounding box of each visit, (k,) mm2; small but positive for a hole."""
+    """Return the area of each visit's bounding box, (k,) mm2, which is small but positive for a drilled hole."""
     area: np.ndarray = np.prod(visits.high - visits.low + VISITS.SMALL, axis=1)
     return area
 
@@ -243,11 +243,11 @@ def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:
 def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
     """Return the trajectories at which another operation can begin, with probabilities computed from the motion alone.
 
-    Programs do not mark their operations, and there are also retracts within an operation. At a retract to the top
-    height, another operation begins only if feed, ground, depths or pattern change as between operations. A model
-    learned from programs estimates the probability (benchmarks/learn_borders.py). If another operation begins both
-    before and after a visit, the visit is searched again, at retracts to its own top height, because retracts for a
-    tool change are higher than retracts within an operation.
+    Programs do not mark their operations, and there are also retracts within an operation. Another operation begins at
+    a retract to the top height only if feed, ground, depths or pattern change as between operations. A model learned
+    from programs estimates the probability (benchmarks/learn_borders.py). If another operation begins both before and
+    after a visit, the visit is searched again, at retracts to its own top height, because retracts for a tool change
+    are higher than retracts within an operation.
     """
     found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
     for _ in range(VISITS.NESTED):

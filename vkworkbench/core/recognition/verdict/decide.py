@@ -59,7 +59,7 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     -------
     Verdict
         The verdict of the rules, unless the votes elect another strategy. The strategy is UNKNOWN if the trees vote
-        that the toolpath is nonsense, i.e. does not look like any operation that machines a part.
+        that the toolpath is nonsense, which means that it does not look like any operation that machines a part.
     float
         Probability that the returned strategy is right, 0..1.
     """

@@ -49,8 +49,7 @@ class Recognition:
         another strategy than most of the operation. Neighbouring spans with the same strategy are two operations of an
         NC program.
     level : int
-        Level n in the paper: number of full turns that the tool turns in one area (phi / 2 pi), with sign, truncated
-        toward zero.
+        Level n in the paper: number of full turns in one area (phi / 2 pi), with sign, truncated toward zero.
     phi_range : tuple of float
         Lowest and highest sum of the turns (phi) in any area, rad. phi is 0 at the first trajectory of each area, and
         includes the turn from the last to the first side of a closed loop.
@@ -63,7 +62,7 @@ class Recognition:
     passes : int or None
         Number of rows or loops at all depths.
     depths : int
-        Number of depths with level cuts; 0 for sculptured surfaces.
+        Number of depths with horizontal cuts; 0 for sculptured surfaces.
     direction : float or None
         Direction of the rows, rad in [0, pi).
     closed_loops : int

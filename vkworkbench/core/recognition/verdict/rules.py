@@ -85,7 +85,7 @@ def _share_of_rows(section: Section, open_share: float) -> float:
 def _judge_bites(section: Section, rows: float, arcs: Verdict | None) -> Verdict | None:
     """Return adaptive clearing if enough strokes overlap, as the bites of a cutter with limited engagement do.
 
-    Circles that the boundary cuts open also overlap, but have a common centre. Concentric arcs therefore are not
+    Circles interrupted at the boundary also overlap, but have a common centre. Concentric arcs therefore are not
     adaptive clearing.
     """
     strokes = section.strokes
@@ -193,7 +193,8 @@ def _judge_nested_rings(section: Section, rings: float) -> Verdict:
     winding = section.share(section.rings.winding)
     if winding <= MAJORITY.SHARE * rings or section.share(section.aside) >= MAJORITY.SHARE * winding:
         return offsets
-    # A spiral contains neither bites nor open strokes. `_judge_arcs` judges a spiral that the boundary cuts open.
+    # A spiral contains neither bites nor open strokes. `_judge_arcs` judges a spiral that is interrupted at the
+    # boundary.
     bitten = section.part(strokes.bite) > ADAPTIVE.BITES and strokes.bite.sum() >= MAJORITY.REPETITIONS
     entered = _share_of_helix(section) + section.wound > ADAPTIVE.ENTRY and not _is_even_spiral(section, rings)
     if bitten or entered or strokes.length.sum() > ADAPTIVE.STROKES * section.length:
@@ -221,7 +222,7 @@ def _judge_rows(section: Section, rows: float) -> Verdict:
 
 
 def _judge_arcs(section: Section) -> Verdict | None:
-    """Return the strategy of circles that the boundary cuts open; None if too few strokes are concentric arcs."""
+    """Return the strategy of circles interrupted at the boundary; None if too few strokes are concentric arcs."""
     arcs = find_arcs(section.moves, section.pieces, np.union1d(section.strokes.index, section.rings.index))
     if arcs is None or arcs.count < MAJORITY.REPETITIONS:
         return None
