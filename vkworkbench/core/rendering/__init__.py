@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Draw images of the simulated part, from the depths of its surface and the trajectories that cut them (owners).
 
-The functions receive a `ZBuffer` simulated along the tool axis, and the `Frame` of a picture from any direction. They
-return images (height, width, 3) of uint8 with row 0 at the top, the positions of points in an image, and images as PNG
-files.
+The functions receive a `ZBuffer` simulated along the tool axis, and the `Frame` of a picture from any direction. The
+functions return images (height, width, 3) of uint8 with row 0 at the top, the positions of points in an image, and
+images as PNG files.
 """
 
 from vkworkbench.core.rendering.camera import direction_of, project, turned

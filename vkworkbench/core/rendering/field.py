@@ -34,7 +34,7 @@ class Section(NamedTuple):
         Coordinate of the plane, mm.
     hides_above : bool
         If True, material whose coordinate is greater than `place` is hidden. If False, material whose coordinate is
-        smaller is hidden.
+        smaller than `place` is hidden.
     """
 
     axis: int

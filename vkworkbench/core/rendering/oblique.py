@@ -21,7 +21,7 @@ from vkworkbench.core.rendering.shading import EMPTY
 from vkworkbench.core.view import Frame
 
 # The tops of columns are invisible if the sine of the view's elevation angle is smaller than this limit. The walls of
-# columns are invisible if the cosine of the elevation angle is smaller.
+# columns are invisible if the cosine of the elevation angle is smaller than this limit.
 _LEVEL = 1e-6
 _FRACTION = 16  # number of binary digits after the point in fixed-point positions of cells
 
@@ -210,8 +210,8 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered *= np.int32(width)
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
-    # Several successive steps can begin with the same horizon. Only the last of these steps raises the horizon. Numpy
-    # assigns the last of these steps last, so `found` keeps this step.
+    # If several successive steps begin with the same horizon, only the last of these steps raises the horizon. Numpy
+    # assigns the number of this last step last, so `found` keeps the number.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)
@@ -234,8 +234,8 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
     low, back = low.ravel(), back.ravel()
     index = (first * np.int64(width) + np.arange(width)).ravel()
     pending = np.flatnonzero((low[index] > row) | (back[index] < row))
-    # A ray can pass below one column of material and above another, so that it sees neither. For these rays, the search
-    # continues with the next step.
+    # A ray that passes below one column of material and above another sees neither, so its search continues with the
+    # next step.
     last = (steps - 1) * width
     for _ in range(steps):
         pending = pending[index[pending] < last]

@@ -93,7 +93,8 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
         Whether each pixel shows the model. At pixels that do not show the model, `left` is the excess stock in the
         model's through holes.
     tolerance : float
-        Largest height that does not count as a deviation, mm. `DEEPEST` times the tolerance has the darkest colour.
+        Largest height that does not count as a deviation, mm. A deviation of `DEEPEST` times the tolerance has the
+        darkest colour.
     """
     colors = np.where(model[..., None], np.array(MET, np.uint8), np.array(NO_MODEL, np.uint8))
     for amount, stations in ((left, LEFT), (gouged, GOUGED)):

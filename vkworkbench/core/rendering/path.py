@@ -18,7 +18,7 @@ def draw_path(pixels: np.ndarray, points: np.ndarray, frame: Frame, color: tuple
     Parameters
     ----------
     pixels : (height, width) uint32
-        Colours as 0xffRRGGBB, row 0 at the top. The function changes this array.
+        Colours as 0xffRRGGBB, row 0 at the top. The function changes `pixels`.
     points : (n, 3) ndarray
         Corners of the path, mm.
     frame : Frame

@@ -29,8 +29,8 @@ _JUMP = 8.0
 # Brightness of the lines that are drawn for cuts narrower than the cells of the field.
 _THIN = 0.65
 # A narrow cut is drawn if it is deeper than the visible surface by less than an allowed difference, which grows as the
-# view becomes more horizontal. The difference is divided by the sine of the view's elevation, but at least by this
-# number.
+# view becomes more horizontal. The allowed difference is divided by the sine of the view's elevation, but at least by
+# this number.
 _FLATTEST = 0.1
 
 
@@ -161,7 +161,7 @@ def _draw_thin_cuts(
     inside = (column >= 0) & (column < frame.width) & (row >= 0) & (row < frame.height)
     column, row, away, owner = (part[inside] for part in (column, row, away, thin.owner))
     # The depth of a pixel is the depth of the surface at the pixel's centre, which can be beside the point of the
-    # narrow cut. Therefore the point is drawn if it is at most this much deeper than the pixel's depth.
+    # narrow cut. Therefore the point is drawn if it is deeper than the pixel's depth by at most `beside`.
     beside = (frame.pixel + field.frame.pixel) / max(-float(frame.direction[2]), _FLATTEST)
     seen = away < depth[row, column] + beside
     column, row, owner = column[seen], row[seen], owner[seen]
@@ -216,7 +216,7 @@ class _Drawn(NamedTuple):
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_walls: list[_PartWalls] | None) -> _Drawn:
     """Draw one layer (of columns of material) of a field.
 
-    If `part_walls` is a list, the walls of the part are appended to it. In this case, the result only shows whether a
+    If `part_walls` is a list, the walls of the part are appended to it. With such a list, the result only shows whether a
     wall belongs to the raw stock or was cut, but not which trajectory cut the wall.
     """
     below = frame.direction[2] > 0

@@ -19,11 +19,11 @@ EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
 STEEPEST = np.float32(3.0)
 # Pockets are drawn with a soft shadow. _SHADOW: share of the light that the deepest pockets lose. _SHADOW_REACH: a
 # height is compared with the mean height within this radius, a share of the field's shorter side. _SHADOW_CELLS:
-# distance between the heights that are sampled for this mean, in cells.
+# distance between the heights that are sampled for the mean height, in cells.
 _SHADOW, _SHADOW_REACH, _SHADOW_CELLS = np.float32(0.45), 0.02, 2
-# _CREASE: change of slope between neighbouring pixels above which a dark line is drawn along the bend. At twice this
-# change, the line is darkest, and loses the share _DARKEST of its light. With a smaller _CREASE, the scallops of a
-# finished surface get dark lines. With a larger _CREASE, the steps of roughing get no lines.
+# _CREASE: change of slope between neighbouring pixels above which a dark line is drawn along the bend. At twice the
+# change _CREASE, the line is darkest, and loses the share _DARKEST of its light. With a smaller _CREASE, the scallops
+# of a finished surface get dark lines. With a larger _CREASE, the steps of roughing get no lines.
 _CREASE = np.float32(1.2)
 _DARKEST = np.float32(0.45)
 # Share of the light that a near surface loses along its edge in front of a far surface.

@@ -224,7 +224,8 @@ def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndar
     """Return the kind (m,) of each trajectory's cells, and the share (m,) of its cells between the ends of the move.
 
     For a bull-nose, the share is estimated as run / (run + pi / 2 * radius): the area of the rectangle between the
-    discs at both ends of the move, divided by the whole swept area. For other tools, the share is 0.
+    discs at both ends of the move, divided by the whole swept area. For tools other than bull-noses, the share of cells
+    between the ends is 0.
     """
     rounded = (kind == _AT_END) | (kind == _BETWEEN)
     run = removal.heading[2]

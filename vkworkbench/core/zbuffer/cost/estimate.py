@@ -58,10 +58,10 @@ class Estimate:
     peak : Peak
         The quantities from which `memory_bytes` is computed, for this image size and for other sizes.
     cuts : tuple of Cut
-        The estimated operations, which are needed for an estimate together with other operations. The tuple is empty
-        after pickling.
+        The estimated operations, which are needed for an estimate together with other operations. `cuts` is empty after
+        pickling.
     stock : Solid or None
-        The uncut stock. The stock is None after pickling.
+        The uncut stock. `stock` is None after pickling.
     """
 
     dexels: float

@@ -66,7 +66,7 @@ class Speed:
         Uncertainty of an estimated time; the actual time is probably between the estimate divided by `factor` and the
         estimate times `factor`.
     processes : int
-        Number of processes that cut at the same time. The times in the other attributes are for one process.
+        Number of processes that cut at the same time. All times in `Speed` are for one process.
     """
 
     trajectory: float = 3.91e-07

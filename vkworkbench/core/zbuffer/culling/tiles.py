@@ -89,8 +89,8 @@ class Removals(NamedTuple):
     Attributes
     ----------
     hit : (k,) int64
-        Positions of the intervals in a matrix, counted row by row. Each row of the matrix is one of the pixels of a
-        tile, and each column is a pair of a tile and a trajectory.
+        Positions of the intervals, counted row by row, in a matrix in which each row is a pixel of a tile and each
+        column is a pair of a tile and a trajectory.
     enter, leave : (k,) ndarray
         Ends of the intervals, clipped to the stock, mm. If `enter` is None, all intervals begin at the near end of
         their rays, and each interval ends deeper than all earlier intervals of its ray.

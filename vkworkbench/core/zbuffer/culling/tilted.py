@@ -123,7 +123,7 @@ class _TileChords:
 class _Bound(Tool):
     """A tool that is larger or smaller than a given tool.
 
-    The size of this tool is not checked, because it can be larger than any allowed tool.
+    The checks of a tool's size are left out, because an enlarged tool can be larger than any allowed tool.
     """
 
     def __post_init__(self) -> None:

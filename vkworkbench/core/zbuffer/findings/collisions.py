@@ -35,7 +35,7 @@ from vkworkbench.language import Message
 FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
 # _TOUCHES: distance by which a body is made smaller before the check, mm, because a body that only touches a wall does
 # not collide. The chords that replace an arc leave material as thick as the largest distance between arc and chord (the
-# arc's rise). Therefore the distance is at least `_OF_RISE` times the rise.
+# arc's rise). Therefore bodies are made smaller by at least `_OF_RISE` times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 # Assumed diameter of an unknown holder, as a multiple of the diameter of the tool or of its shank. This is the diameter
 # of the narrowest holders.
@@ -209,9 +209,9 @@ def _margin(toolpath: Toolpath) -> float:
 
 
 def _body_of(cut: Cut, body: str) -> Body | None:
-    """Return a part of a cut's tool, made smaller by the margin for touching.
+    """Return a part of a cut's tool, made smaller so that touching a wall is not a collision.
 
-    Return a part of a cut's tool, made smaller so that touching a wall is not a collision.
+    The result is None if the size of this part is unknown, or if the part is not wider than the tool.
     """
     tool, margin = cut.tool, _margin(cut.toolpath)
     width, above = _width(tool, body), tool.cutting_edge_height if body in (FLUTES, SHANK) else tool.length
@@ -385,12 +385,12 @@ class _Removed:
     def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
         """Convert pieces removed by moves of a simulation to pieces removed by trajectories of the job.
 
-        The pieces are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each move of the
+        `pieces` are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each move of the
         simulation was made.
         """
         every = np.arange(len(pieces.owner))
-        # A body can have removed several pieces of a ray that lie directly below each other. All these pieces are
-        # colliding material, so the height is measured from the top of the highest piece.
+        # A body can have removed several pieces of a ray that lie directly below each other. The height of the
+        # colliding material is measured from the top of the highest of these pieces.
         begins = np.ones(len(every), bool)
         begins[1:] = (
             (np.diff(pieces.x) != 0) | (np.diff(pieces.y) != 0) | (pieces.near[1:] > pieces.far[:-1] + THINNEST)

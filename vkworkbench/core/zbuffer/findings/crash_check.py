@@ -56,9 +56,9 @@ def check_crashes(
     """Find the rapids that cut and the plunges that are too fast, for tools and stocks of any size.
 
     A rapid is not checked if it certainly stays above the stock, or if it retracts along the tool's axis. All other
-    rapids, and all plunges faster than the tool's vertical feed, are simulated on rays. The distance between these rays
-    is at most an eighth of the tool's width at the height of the stock's top. Rapids that remove nothing on these rays
-    are checked again on rays that are at most 0.03 mm apart, until the time limit is reached.
+    rapids, and all plunges faster than the tool's vertical feed, are simulated on rays. Neighbouring rays are at most
+    an eighth of the tool's width, measured at the height of the stock's top, from each other. Rapids that remove
+    nothing on these rays are checked again on rays that are at most 0.03 mm apart, until the time limit is reached.
 
     Parameters
     ----------

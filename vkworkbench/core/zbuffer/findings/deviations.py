@@ -173,8 +173,8 @@ def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) ->
     places: list[Deviation] = []
     least = tolerance
     for number in sorted(range(len(groups)), key=lambda number: -worst[number]):
-        # The groups are sorted by their largest distance along the view. The distance in space is never larger, so the
-        # remaining groups cannot contain a worse place.
+        # The groups of tiles are examined in the order of their largest distance along the view, the largest first. The
+        # distance in space is never larger, so the remaining groups cannot contain a worse place.
         if worst[number] <= least:
             break
         places += _worst_place(zbuffer, gap, deviating[groups[number]], maker[groups[number]], least)
@@ -201,8 +201,8 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
     if model is None:
         return pixels, zbuffer.picture.owner[pixels]
     # The removing trajectory is searched for slightly below the model's surface. The additional depth is the tolerance,
-    # because removals within the tolerance are allowed. It is at most a pixel, because near an edge the model can be
-    # thin along the ray.
+    # because removals within the tolerance are allowed. The additional depth is at most a pixel, because near an edge
+    # the model can be thin along the ray.
     depth = model.near.ravel()[pixels] + min(tolerance, zbuffer.frame.pixel)
     maker = _find_removers(zbuffer, pixels, depth, model.behind.ravel()[pixels])
     cut = _cuts_of(zbuffer, maker)

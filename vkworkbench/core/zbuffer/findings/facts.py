@@ -57,7 +57,8 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
     Parameters
     ----------
     measured : Volumes, optional
-        Measured volumes. A move with a measured volume cuts, even if no ray of the image meets the removed material.
+        Measured volumes. A move with a measured volume above 0 counts as cutting, even if no ray of the image meets the
+        removed material.
 
     Returns
     -------

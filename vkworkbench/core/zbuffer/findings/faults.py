@@ -24,8 +24,9 @@ _PLUNGE, _FULL = 5.0, 0.5
 # feeds.
 _FASTER = 1.01
 # _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash.
-# Rounded coordinates and the chords that replace arcs leave material up to about this thickness. The largest distance
-# between an arc and its chord is the arc's rise; the horizontal depth is at least `_OF_RISE` times the rise.
+# Rounded coordinates and the chords that replace arcs leave material about as thick as `_TOUCHES`. The largest distance
+# between an arc and its chord is the arc's rise; the limit for touching is the larger of `_TOUCHES` and `_OF_RISE`
+# times the rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 _SIDES = np.arange(8) * pi / 4
 # Material up to this height, mm, above the tool's lower surface counts as a rounding error. If there are arcs in

@@ -43,8 +43,8 @@ class CutFacts:
     removed_volume : float
         Removed volume, mm^3.
     removed_volume_error : float or None
-        Upper bound, with 95 % confidence, of the error of `removed_volume`, mm^3. None if the volume is computed from
-        one image.
+        Upper bound, with 95 % confidence, of the error of `removed_volume`, mm^3. The error is None if the volume is
+        computed from one image.
     cutting_length, cutting_seconds : float
         Length, mm, and time, s, of the feed moves. The time does not include moves whose feed rate is unknown.
     air_length, air_seconds : float
@@ -295,8 +295,8 @@ def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
     """Return the gouges found in the image together with the thin gouges, the deepest gouge first.
 
     For cuts with thin tools, the thin gouges replace the gouges found in the image, unless some moves of thin tools are
-    unchecked. A thin gouge in a wall is united with each gouge found in the image that consists of cuts by the same
-    trajectories.
+    unchecked. A thin gouge in a wall is united with the gouges found in the image that the same cut made with an
+    overlapping range of trajectories.
     """
     found = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
     found += thin.found

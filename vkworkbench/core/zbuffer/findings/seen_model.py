@@ -27,8 +27,8 @@ class Deviations:
     left, gouged : (pixels,) float32
         Thickness of the leftover material, and depth of the gouge, at each pixel, measured along the view, mm, at least
         0. Leftover material is measured from the highest point of the model in the pixel and its eight neighbours. A
-        gouge is measured from the lowest point of the model in these pixels. Therefore a wall that runs through a pixel
-        is neither leftover material nor a gouge.
+        gouge is measured from the lowest point of the model in the pixel and its eight neighbours. Therefore a wall
+        that runs through a pixel is neither leftover material nor a gouge.
     part : (height, width) float32
         Depth of the part's surface, mm. If no material is left on a ray, `part` is the depth of the model's far side,
         or infinite if the ray misses the model.

@@ -13,7 +13,7 @@ import numpy as np
 # found so far by less than this share, or by less than the side of a pixel.
 _ALIKE = 0.02
 # The pixels are searched in several passes, first only every 64th pixel in each direction, and finally all pixels. A
-# few pixels of the first passes exclude many pixels of the later passes.
+# few pixels of a coarse pass exclude many pixels of the later passes.
 _GRIDS = (64, 16, 4, 1)
 # _AT_ONCE: largest number of pixels that are searched in one batch. _PAIRS: largest number of pairs of a searched pixel
 # and a pixel around it in one batch; each pair needs 50 bytes.

@@ -208,7 +208,7 @@ def peak_that_was(records: Records, removal: Removal) -> Peak:
 def most_bytes_of(removal: Removal, trajectories: int) -> float:
     """Return an upper bound of a simulation's peak memory, bytes; infinite if the stock is a mesh.
 
-    No rays are sampled.
+    The bound is computed without sampling rays.
     """
     most = _most_records(removal)
     return _peak(most, most, 0.0, most, trajectories, removal).bytes()

@@ -29,8 +29,8 @@ class Sample:
     x, y : (k,) float64
         Image coordinates of the rays, mm. Each ray runs through the centre of a pixel.
     area : (k,) float64
-        Area of the image that each ray represents, mm^2. The sum of a quantity times this area over all rays estimates
-        the quantity's integral over the image.
+        Area of the image that each ray represents, mm^2. The sum of a quantity times `area` over all rays estimates the
+        quantity's integral over the image.
     """
 
     x: np.ndarray
@@ -76,12 +76,12 @@ _NOWHERE = Sample(*np.empty((3, 0)))
 def sample(removal: Removal, rng: np.random.Generator) -> Sample:
     """Draw up to `_RAYS` rays in the part of the image that swept volumes reach, one ray in each stratum.
 
-    This part of the image is divided into cells. The weight of a cell is the square root of the number of trajectories
-    whose bounding boxes touch the cell, because the number of dexels and trace elements varies more in cells with more
-    trajectories. The strata are stretches of equal weight along a Morton curve (Morton 1966), a path through all cells
-    on which neighbouring cells are close to each other. In each stratum, one random point is drawn, and the pixel that
-    contains the point gives the ray. Therefore a slot narrower than a pixel has the same probability to be hit as in
-    the simulated image.
+    The part of the image that swept volumes reach is divided into cells. The weight of a cell is the square root of the
+    number of trajectories whose bounding boxes touch the cell, because the number of dexels and trace elements varies
+    more in cells with more trajectories. The strata are stretches of equal weight along a Morton curve (Morton 1966), a
+    path through all cells on which neighbouring cells are close to each other. In each stratum, one random point is
+    drawn, and the pixel that contains the point gives the ray. Therefore a slot narrower than a pixel has the same
+    probability to be hit as in the simulated image.
 
     Returns
     -------

@@ -2,10 +2,11 @@
 """Cut rays whose removed intervals are connected, without sorting the depths.
 
 Each trajectory removes an interval of a ray. Consecutive trajectories usually touch material that is already removed,
-so on most rays every interval touches or overlaps the gap that earlier intervals have cut. The gap of such a ray only
-grows, at its near end, at its far end or at both ends. The stretch by which a trajectory makes the gap longer at one
-end is called a growth; each growth is a piece. The running minimum of the entry depths and the running maximum of the
-exit depths give all pieces of a ray with one gap. Rays with several separate gaps are cut by `dexels.first_cuts`.
+so on most rays every interval touches or overlaps the gap that earlier intervals have cut. On a ray with connected
+intervals, the gap only grows, at its near end, at its far end or at both ends. The stretch by which a trajectory makes
+the gap longer at one end is called a growth; each growth is a piece. The running minimum of the entry depths and the
+running maximum of the exit depths give all pieces of a ray with one gap. Rays with several separate gaps are cut by
+`dexels.first_cuts`.
 """
 
 from __future__ import annotations
@@ -84,8 +85,8 @@ def removing_intervals(
     Parameters
     ----------
     group : (p,) ndarray of int
-        Group of each interval, ascending. In each row, a group contains the intervals of one ray, in the order in which
-        their trajectories are cut.
+        Group of each interval, ascending. In each row of the arrays, a group contains the intervals of one ray, in the
+        order in which their trajectories are cut.
     enter, leave : (q, p) ndarray
         Ends of the intervals, mm. The function overwrites the arrays with the ends clipped to the stock. NaN, or
         ``enter > leave``, means that the trajectory misses the ray.
@@ -133,8 +134,8 @@ def cut_by_removing(
     scattered[ray[apart]] = True
     loose = scattered[ray]
     tight = np.flatnonzero(~loose)
-    # An interval inside the ray's previous interval removes nothing. Such intervals are left out, because sorting takes
-    # long.
+    # An interval inside the ray's previous interval removes nothing. Intervals that remove nothing are left out,
+    # because sorting takes long.
     loose[1:] &= (enter[1:] < enter[:-1]) | (leave[1:] > leave[:-1]) | first[1:]
     loose = np.flatnonzero(loose)
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)

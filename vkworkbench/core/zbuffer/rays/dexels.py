@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Divide rays into pieces; each piece is removed by one trajectory, or by no trajectory.
 
-Each trajectory of a sequence removes an interval of a ray. The ends of these intervals divide the part of the ray
+Each trajectory of a sequence removes an interval of a ray. The ends of all removed intervals divide the part of the ray
 inside the stock into pieces. A removed piece belongs to the trace of the trajectory that removes it; a piece that no
 trajectory removes is a dexel. Each point of the ray is removed by the first trajectory whose interval contains the
 point. Therefore sorting the ends of all intervals once gives all pieces of all rays, without a loop over the

@@ -3,7 +3,8 @@
 
 In views from above and below, a tool removes all material above the tool's lower surface, so every removed interval
 begins at the same end of the ray. "A trajectory opens a ray to a depth" means that it removes the ray's material from
-this end to the depth. A trajectory removes a piece only if it opens the ray deeper than all earlier trajectories.
+the end at which all removed intervals begin to the depth. A trajectory removes a piece only if it opens the ray deeper
+than all earlier trajectories.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ def opened(
     owner : (m,) ndarray of int
         The trajectories that cut the rays, sorted by ray.
     leave : (m,) ndarray
-        Depth to which each trajectory opens its ray, mm. The function can overwrite this array.
+        Depth to which each trajectory opens its ray, mm. The function can overwrite `leave`.
 
     Returns
     -------

@@ -75,7 +75,7 @@ class Records:
 
     @cached_property
     def ends(self) -> np.ndarray:
-        """Depth at which each pixel's ray last leaves the stock, (pixels,) float32 mm; NaN if the ray misses."""
+        """Depth at which each pixel's ray last leaves the stock, (pixels,) float32 mm; NaN if the ray misses it."""
         ends = np.full(len(self.entry), np.nan, np.float32)
         met = np.flatnonzero(self.index[1:] > self.index[:-1])
         ends[met] = self.far[self.index[met + 1].astype(np.int64) - 1]

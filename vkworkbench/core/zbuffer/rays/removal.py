@@ -16,7 +16,8 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 # of their rays.
 GROUP = 16
 # `_PAIRS_HELD` is the largest number of pairs of a ray and a trajectory that are in memory at one time.
-# `_PAIRS_AT_ONCE` is the number of these pairs in one batch, whose arrays fit into the processor's cache.
+# `_PAIRS_AT_ONCE` is the number of pairs of a ray and a trajectory in one batch, whose arrays fit into the processor's
+# cache.
 _PAIRS_HELD = 1_000_000
 _PAIRS_AT_ONCE = 16_384
 

@@ -71,7 +71,7 @@ class Surface:
         """Return the visible surface after `step` trajectories.
 
         Only the pixels that can differ from the previous call are computed. If more than a quarter of the pixels can
-        differ, all are computed.
+        differ, all pixels are computed.
         """
         latest = self._latest
         if latest is not None and latest.step == step:

@@ -71,7 +71,7 @@ class ZBuffer:
 
     @property
     def trajectories(self) -> int:
-        """Number of all trajectories, including those that are not yet simulated at this moment."""
+        """Number of all trajectories, including trajectories that are not yet simulated at this moment."""
         return len(self.cuts)
 
     @property

@@ -75,7 +75,7 @@ def simulate_job(
     Raises
     ------
     OverBudget
-        If the simulation would need more memory than `memory_budget`. In this case nothing is simulated.
+        If the simulation would need more memory than `memory_budget`. If the budget is too small, nothing is simulated.
     ValueError, TypeError
         If an argument has a wrong value or a wrong type.
     """

@@ -134,7 +134,8 @@ def _walls(
     at, along = (column, row) if axis == 0 else (row, column)
     ranks, lines = size[2], size[1 - axis]
     # For each edge between two pixels and each depth, the number of dexels in the pixel after the edge is subtracted
-    # from the number in the pixel before the edge. A wall is needed at all depths at which the difference is not 0.
+    # from the number in the pixel before the edge. A wall is needed at all depths at which the two pixels have
+    # different numbers of dexels.
     edge = np.concatenate(((at + 1) * lines + along, at * lines + along))
     count = np.repeat([1, -1], len(near))
     key = np.concatenate((edge * ranks + np.tile(near, 2), edge * ranks + np.tile(far, 2)))

@@ -59,9 +59,9 @@ def lowest(
         if tool.rounding == tool.radius:
             return _lowest_of_ball(tool.radius, start[2], run, slope, along, half)
         ahead = run - along
-        # The foot is the point's perpendicular projection on the line of the move. Measured along this line from the
-        # foot, the tool's axis moves from -along to ahead. The tool is above the point while its axis is at most `half`
-        # away from the foot.
+        # The foot is the point's perpendicular projection on the line of the move. Measured from the foot along the
+        # line of the move, the tool's axis moves from -along to ahead. The tool is above the point while its axis is at
+        # most `half` away from the foot.
         at = along + _lowest_position(tool, slope, aside2, half)
         np.minimum(np.maximum(at, 0, out=at), run, out=at)
         np.minimum(along, ahead, out=ahead)
@@ -166,7 +166,8 @@ def intervals(
     start, move : (3, k) ndarray
         Start point and displacement of the tool's tip, in ray coordinates, mm.
     ray : three ndarrays
-        The x, y and z of one point of each ray, in ray coordinates, mm. The shapes broadcast with each other and (k,).
+        The x, y and z of one point of each ray, in ray coordinates, mm. The shapes of the three arrays broadcast with
+        each other and (k,).
     sine, cosine : float
         Sine and cosine of the view's tilt from the vertical; ``sine > 0``.
 
@@ -202,9 +203,10 @@ def _general(
         near, far = _joined(near, far, enter, leave)
         if tool.rounding:
             # A bull-nose has no edges. The depth at which the ray enters or leaves the tool at this end of the move is
-            # the final result if the tool's surface at this depth does not face the other end of the move. Otherwise a
-            # position of the tool between the ends of the move must be searched. A position is also searched for every
-            # ray that only touches the tool, because there the direction of the surface is a rounding error.
+            # the final result if the tool's surface at this depth does not face the other end of the move. If this
+            # surface faces the other end, a position of the tool between the ends of the move must be searched. A
+            # position is also searched for every ray that only touches the tool, because there the direction of the
+            # surface is a rounding error.
             touched = ~(leave - enter > ROUNDING)
             if abs(cosine) <= FROM_THE_SIDE:
                 touched |= np.abs(at[2]) < ROUNDING  # a ray in the plane of the flat end only touches the tool
@@ -322,7 +324,7 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
     # Candidates for t from the two vertical side faces of the swept volume.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    # Candidates for t from the swept edges. One edge is between the cylinder and the flat end or cone, the other
+    # Candidates for t from the swept edges. One swept edge is between the cylinder and the flat end or cone, the other
     # between the cone and its flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz

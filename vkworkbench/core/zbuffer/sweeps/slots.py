@@ -4,8 +4,8 @@
 Coordinates are the ray coordinates of intervals.py. The position t of the tool runs from 0 to 1 on its move. The depth
 at which a ray enters the tool is a convex function of t, and the depth at which the ray leaves the tool is a concave
 function of t. If the move were endless, closed forms would give the t at which the ray enters and leaves through the
-two upright walls and the bottom of the slot. Clipping this t to the range from 0 to 1 gives the t of the first entry or
-the last exit. Therefore each end of the interval needs only one position of the tool.
+two upright walls and the bottom of the slot. Clipping the t of the endless move to the range from 0 to 1 gives the t of
+the first entry or the last exit. Therefore each end of the interval needs only one position of the tool.
 
 The shapes of the arrays broadcast with each other. For a grid of rays, x can be an array with one row, and y and z can
 be arrays with one column.

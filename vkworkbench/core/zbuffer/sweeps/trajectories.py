@@ -163,7 +163,7 @@ class Trajectories:
     def meeting(
         self, left: np.ndarray, right: np.ndarray, bottom: np.ndarray, top: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the pairs of a rectangle (g,) and a position in `index` that can meet, sorted by rectangle."""
+        """Return the pairs of a rectangle (g,) and a trajectory (position in `index`) that can meet, by rectangle."""
         pairs = [(np.empty(0, np.int64), np.empty(0, np.int64))]
         few = max(1, _PAIRS_HELD // max(1, len(self.index)))
         for begin in range(0, len(left), few):
@@ -207,12 +207,12 @@ class Trajectories:
         Parameters
         ----------
         x, y : ndarray
-            Image coordinates of the rays, mm. The shapes broadcast with each other and with (k,).
+            Image coordinates of the rays, mm. The shapes of both arrays broadcast with each other and with (k,).
         item : (k,) ndarray of int
             Positions in `index`.
         tools : sequence of (Tool or None, float), optional
             For each kind, a tool that replaces the kind's tool, and the height of the replacement's tip above the tip
-            of the kind's tool, mm. If the replacement is None, all rays miss it.
+            of the kind's tool, mm. If the replacement is None, no ray meets the swept volumes of this kind.
 
         Returns
         -------
