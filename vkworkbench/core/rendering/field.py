@@ -33,8 +33,8 @@ class Section(NamedTuple):
     place : float
         Coordinate of the plane, mm.
     hides_above : bool
-        If True, material whose coordinate is greater than `place` is hidden. If False, material whose coordinate is
-        smaller than `place` is hidden.
+        If True, material whose coordinate is greater than `place` is hidden. If `hides_above` is False,
+        material whose coordinate is smaller is hidden.
     """
 
     axis: int
