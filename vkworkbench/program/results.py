@@ -140,7 +140,7 @@ class Results:
         self._form = form
         self.done: set[str] = set()
         self.unread: set[str] = set()
-        # Without a buffer, because closing would write buffered data again that a full disk refused.
+        # A named file has no buffer, because closing would write buffered data again that a full disk refused.
         self._file: BinaryIO | io.FileIO
         if path == "-":
             self._file = sys.stdout.buffer
