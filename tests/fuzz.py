@@ -168,7 +168,8 @@ def feed_program(commands, tolerance=0.01, diameter=5.0, view="Top"):
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)")  # warning of numpy 1.17
+            # Numpy 1.17 warns if NaN is compared with a number.
+            warnings.filterwarnings("ignore", "invalid value encountered in (less|greater)")
             try:
                 words = Words(commands)
                 path = linearize(words, tolerance=tolerance)

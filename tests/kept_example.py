@@ -65,7 +65,7 @@ class KeptExample:
             self.document.undo()
 
     def close_if_changed(self) -> None:
-        """Close the document if it differs from its state after it was opened or marked, and not only by marks."""
+        """Close the document if a test changed more than its marks since it was opened or marked."""
         if self.document is not None and not self._is_as_remembered() and not self._clear_marks():
             self.close()
 

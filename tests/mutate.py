@@ -222,7 +222,7 @@ class Checkout:
     def graft(self, file: Path, tries: list[tuple[Mutant, dict[str, float]]], jobs: int) -> list[bool | None]:
         """Return for each mutant whether it survives its tests, all in one process.
 
-        None: the mutant needs a new process.
+        The value None means that the tests of the mutant need a new process.
         """
         if not tries:
             return []

@@ -519,7 +519,7 @@ def test_analysis_reads_each_input_once(small, zigzag_commands):
     # An operation with an arc, so that the analysis also computes cautions for arcs.
     arc = ("G2", {"X": 30.0, "Y": 20.0, "I": -5.0, "J": 0.0})
     small.add("Rows", [*zigzag_commands, ("G1", {"X": 40.0, "Y": 20.0, "Z": 15.0}), arc])
-    vkworkbench.analyze(small.document)  # the first analysis measures the computer
+    vkworkbench.analyze(small.document)  # let the first analysis measure the speed of the computer
     RESULTS.clear()
     counted = dict.fromkeys(["words.__init__", "motions.motions", "setting.read_tool", "setting.read_stock"], 0)
 
@@ -615,7 +615,7 @@ def test_tool_wider_than_longer_side_of_stock_has_a_remark(small, zigzag_command
 
 def test_cancelled_analysis_does_not_wait_for_its_thread(small, zigzag_commands, monkeypatch):
     small.add("Rows", zigzag_commands)
-    vkworkbench.analyze(small.document)  # the first analysis measures the computer
+    vkworkbench.analyze(small.document)  # let the first analysis measure the speed of the computer
     RESULTS.clear()
     begun, go_on, ended = Event(), Event(), Event()
 

@@ -150,7 +150,7 @@ def test_slider_and_number_step_through_vectors(view, window):
     # The step to another vector changes all three plots, which are side by side.
     changed = (pictures[0] != pictures[2]).any(axis=(0, 2))
     assert all(part.any() for part in np.array_split(changed, 3))
-    # A step that is shown again gives an identical picture.
+    # Showing the same vector again gives an identical picture.
     view.slider.setValue(last)
     assert same(view.picture(), pictures[0])
 

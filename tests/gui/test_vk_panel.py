@@ -119,7 +119,7 @@ FIRST = [
     "Simulation Time",
     "Warnings",
     "Notes",
-]  # without the State column, which is shown only if a mark is outdated
+]  # the column "State" is left out, because it is shown only if a mark is outdated
 
 
 def test_panel_shows_the_total_of_a_job_above_its_operations(panel, opened, window):

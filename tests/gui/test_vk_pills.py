@@ -101,7 +101,7 @@ def test_colour_is_changed_until_it_is_readable(ink, back, least, expected):
 def test_every_strategy_has_a_readable_colour():
     for color in [*(strategy.color for strategy in Strategy), colors.TOTAL]:
         assert contrast(color, colors.TEXT) >= 4.5
-        assert contrast(color, "#ffffff") >= 3 and contrast(color, "#1e1f22") >= 3  # WCAG requires 3 for graphics
+        assert contrast(color, "#ffffff") >= 3 and contrast(color, "#1e1f22") >= 3  # WCAG's minimum for graphics
     telling = [strategy.color for strategy in Strategy if strategy.is_answer]
     assert len(set(telling)) == len(telling)
 

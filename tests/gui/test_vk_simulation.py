@@ -590,7 +590,7 @@ def test_faults_are_the_same_from_every_side(desk, document, window):
     assert told.arguments["count"] == len({fault.command for fault in found})
 
 
-# Widgets, and no job
+# Tests of single widgets, without a simulated job
 
 
 @pytest.mark.parametrize("wide", [True, False])

@@ -290,7 +290,7 @@ def test_controls_do_not_overlap_in_a_low_and_narrow_tab(low_tab, window, height
 
 def test_controls_of_differences_are_shown_with_differences(tab, window):
     bar = tab.player.scene_bar
-    tab.player.setFixedSize(360, 400)  # px, with room for the row of controls for differences from the model
+    tab.player.setFixedSize(360, 400)  # px, a size with room for the row of controls for differences from the model
     assert not bar.differences.isVisible()
     bar.colorings.setCurrentIndex(bar.colorings.count() - 1)
     assert bar.differences.isVisible()

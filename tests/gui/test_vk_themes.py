@@ -36,7 +36,7 @@ def test_mark_is_readable_in_freecads_themes(shipped, marked, window):
     window.settle()
     window.screenshot(f"marks-{shipped.replace(' ', '-')}")
     area = view.visualRect(found.sibling(found.row(), 1)) & view.viewport().rect()
-    # Grab the window: some themes make the viewport transparent.
+    # Take the picture from the main window, because some themes make the tree's own background transparent.
     place = QtCore.QRect(view.viewport().mapTo(window.main, area.topLeft()), area.size())
     image = window.main.grab(place).toImage()
     color = QtGui.QColor(marks.read(marked.getObjectsByLabel("Face")[0]).strategy.color).rgb()

@@ -66,7 +66,7 @@ def mark(report: Report) -> int:
 
 
 def analyzing_again(document, analyze: Callable) -> Iterator[None]:
-    """Analyse and mark the operations with outdated marks. Runs in steps when FreeCAD is idle.
+    """Analyse and mark the operations with outdated marks, in steps that are executed when FreeCAD is idle.
 
     Parameters
     ----------

@@ -118,7 +118,7 @@ class FrozenTree(QTreeView):
             width, header = self.columnWidth(0), 0 if self.header().isHidden() else self.header().height()
             self._above.setColumnWidth(0, width)
             self._above.header().setFixedHeight(header)
-            seen = self.viewport().geometry()  # the widget without a border and a padding that a theme can add
+            seen = self.viewport().geometry()  # the visible area, without the border and padding that a theme can add
             self._above.setGeometry(seen.left(), seen.top() - header, width, header + seen.height())
             self._above.verticalScrollBar().setValue(self.verticalScrollBar().value())
         self._above.setVisible(scrolled)

@@ -52,7 +52,7 @@ class ResultsModel(QAbstractItemModel):
         self.columns = [*self.first, *self.others]
 
     def row(self, index) -> Row:
-        """Return the row of an index."""
+        """Return the job or operation (`Row`) that a Qt index points to."""
         branch = index.internalId()
         return self.rows[branch - 1].rows[index.row()] if branch else self.rows[index.row()]
 
@@ -146,7 +146,7 @@ class ResultsOrder(QSortFilterProxyModel):
         self.invalidateFilter()
 
     def row(self, index) -> Row:
-        """Return the row of an index."""
+        """Return the job or operation (`Row`) that a Qt index points to."""
         return self.sourceModel().row(self.mapToSource(index))
 
     def filterAcceptsRow(self, number: int, parent) -> bool:

@@ -35,8 +35,8 @@ from vkworkbench.gui.qt.text import translate
 TURN, PAN = "turn", "pan"
 _LEFT, _MIDDLE, _RIGHT = Qt.LeftButton, Qt.MiddleButton, Qt.RightButton
 _NONE, _SHIFT, _CTRL, _ALT = Qt.NoModifier, Qt.ShiftModifier, Qt.ControlModifier, Qt.AltModifier
-# Mouse buttons and modifier keys in FreeCAD's navigation styles (preferences, Display > Navigation). In addition, the
-# left button alone turns the part in each style.
+# Mouse buttons and modifier keys in FreeCAD's navigation styles (preferences, Display > Navigation). In each style, the
+# left button alone turns the part, too.
 _STYLES = {
     "CAD": ((_MIDDLE, _NONE, PAN), (_MIDDLE | _LEFT, _NONE, TURN), (_MIDDLE | _RIGHT, _NONE, TURN)),
     "Gesture": ((_RIGHT, _NONE, PAN), (_MIDDLE, _NONE, TURN)),

@@ -82,7 +82,7 @@ class Findings:
     ----------
     along_axis : AlongAxis
     facts : JobFacts
-        Facts and verdict at the default tolerance.
+        What the check found in the operations, and its verdict on the job, at the default tolerance.
     volumes, air : ndarray
         As in the class `Simulated`.
     """
