@@ -179,7 +179,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
 
 
 def _is_fine(step: np.ndarray, lateral: np.ndarray) -> bool:
-    """Return whether most steps as small as rounding errors go to one side, so that they are steps between fine rows."""
+    """Return whether most steps as small as rounding errors go to one side, so that they are fine rows."""
     small = step[(lateral > ROWS.FINEST) & (lateral <= ROUNDING.PLACE)]
     if len(small) < max(ROWS.MANY, MAJORITY.SHARE * np.count_nonzero(lateral > ROWS.FINEST)):
         return False

@@ -193,7 +193,8 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     told["other"] = 1 - passes / max(1, int(np.count_nonzero(apart)))
     if not passes:
         return told
-    # The usual distance is the median of the distances in the most frequent class and in the two classes beside it.
+    # The usual distance is the median of the distances between passes in the most frequent class and in the two classes
+    # beside it.
     logarithm = np.log(aside[beside])
     bins = np.rint(logarithm / SCAN.BIN).astype(np.int64)
     bins -= bins.min()
@@ -202,7 +203,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
     usual = float(np.exp(median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = np.count_nonzero(even)  # never 0, because the median is close to some distances
+    number = np.count_nonzero(even)  # never 0, because some distances are close to their median
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]

@@ -51,15 +51,16 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     ----------
     s : Section
     rules : Verdict
-        Verdict of the rules on the section.
+        Strategy that the rules propose for the section, and its reason.
     paper : PaperVerdict or None
         Result of the paper's literal rule, without corrections.
 
     Returns
     -------
     Verdict
-        The verdict of the rules, unless the votes elect another strategy. The strategy is UNKNOWN if the trees vote
-        that the toolpath is nonsense, which means that it does not look like any operation that machines a part.
+        The strategy that the rules propose, unless the trees' votes elect another strategy. The strategy is UNKNOWN if
+        the trees vote that the toolpath is nonsense, which means that it does not look like any operation that machines
+        a part.
     float
         Probability that the returned strategy is right, 0..1.
     """

@@ -101,7 +101,7 @@ def _heights(section: Section, strategy: Strategy) -> np.ndarray:
     if not len(begin):
         return flat
     share = np.add.reduceat(moves.length[level], begin) / pieces.length[of[begin]]
-    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # ignore heights with little of the piece's length
+    share[share < ENTRY.ONE_OF_SEVERAL] = 0.0  # ignore heights at which little of the piece is cut
     lies = (share > 0) & (np.bincount(of[begin], share, len(pieces))[of[begin]] > ENTRY.LEVEL)
     return np.concatenate([flat, moves.z[level[begin[lies]]]])
 

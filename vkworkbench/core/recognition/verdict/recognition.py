@@ -45,9 +45,9 @@ class Recognition:
     why : Message
         Reason for the strategy in the paper's terms (levels, phi, half turns), with numbers.
     spans : tuple of Span
-        Stretches in the order of cutting. There are several spans if the strategy is mixed, or if a few cuts follow
-        another strategy than most of the operation. Neighbouring spans with the same strategy are two operations of an
-        NC program.
+        Stretches with one strategy each, in the order of cutting. There are several spans if the strategy is mixed, or
+        if a few cuts follow another strategy than most of the operation. Neighbouring spans with the same strategy are
+        two operations of an NC program.
     level : int
         Level n in the paper: number of full turns in one area (phi / 2 pi), with sign, truncated toward zero.
     phi_range : tuple of float
@@ -70,8 +70,8 @@ class Recognition:
     milling : str or None
         "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
     entry : str or None
-        Kind of the entry before the pattern: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is the
-        operation itself, and for mixed operations.
+        Kind of the tool's entry into the material: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is
+        the operation itself, and for mixed operations.
     finishing : bool
         Whether a contour around the rows, or after adaptive clearing, finishes the walls.
     paper : PaperVerdict or None

@@ -193,8 +193,8 @@ def _judge_nested_rings(section: Section, rings: float) -> Verdict:
     winding = section.share(section.rings.winding)
     if winding <= MAJORITY.SHARE * rings or section.share(section.aside) >= MAJORITY.SHARE * winding:
         return offsets
-    # A spiral contains neither bites nor open strokes. `_judge_arcs` judges a spiral that is interrupted at the
-    # boundary.
+    # A spiral contains neither bites (overlapping bent strokes) nor open strokes. `_judge_arcs` judges a spiral that is
+    # interrupted at the boundary.
     bitten = section.part(strokes.bite) > ADAPTIVE.BITES and strokes.bite.sum() >= MAJORITY.REPETITIONS
     entered = _share_of_helix(section) + section.wound > ADAPTIVE.ENTRY and not _is_even_spiral(section, rings)
     if bitten or entered or strokes.length.sum() > ADAPTIVE.STROKES * section.length:
