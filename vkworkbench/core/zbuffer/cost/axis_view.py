@@ -16,9 +16,9 @@ from vkworkbench.core.zbuffer.cost.resolution import best_resolution
 from vkworkbench.core.zbuffer.cost.speed import USUAL, Speed
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# _FINE_ENOUGH: largest pixel, mm, with which crashes and deviations from the model are searched for. It is half the
-# default tolerance of the comparison with the model, so that a wall whose error exceeds the tolerance is displaced by
-# more than a pixel.
+# _FINE_ENOUGH: largest pixel, mm, with which crashes and deviations from the model are searched for. This largest pixel
+# is half the default tolerance of the comparison with the model, so that a wall whose error exceeds the tolerance is
+# displaced by more than a pixel.
 # _OF_TOOL: upper limit for the side of a pixel, as a share of the thinnest tool's diameter.
 _FINE_ENOUGH, _OF_TOOL = 0.05, 1 / 16
 # Number of pixels along the longer side of the image for which the cost is estimated. The cost for images with smaller

@@ -27,8 +27,8 @@ _TOP, _TILTED = (0, 0, -1), (0, 1, -2)
 # Largest number of times that each synthetic simulation is timed.
 _RUNS = 8
 # Uncertainty of a time that is estimated with a measured speed: 90 % of the actual times are between the estimate
-# divided by this factor and the estimate times this factor. benchmarks/resources.py prints which share of the actual
-# times is in this range; benchmarks/learn_effort.py prints the share for more kinds of toolpaths.
+# divided by this factor and the estimate times this factor. benchmarks/resources.py prints the share of the actual
+# times between these limits; benchmarks/learn_effort.py prints the share for more kinds of toolpaths.
 _FACTOR = 2.0
 # Weight of the ridge term of the fit, which keeps the default proportions between the constants of `Speed`; a measured
 # time has the weight 1.

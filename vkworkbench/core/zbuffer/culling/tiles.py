@@ -270,8 +270,8 @@ def deeper_pairs(
     reach, opens : (p,) ndarray
         Largest depth that each pair's trajectory reaches in its tile, and the depth to which the trajectory opens all
         rays of the tile from their near end. A `reach` of -inf or NaN means that the trajectory does not meet the tile,
-        and an `opens` of -inf or NaN means that the trajectory does not open the tile. The function overwrites both
-        arrays.
+        and an `opens` of -inf or NaN means that the trajectory does not open the tile. The function overwrites `reach`
+        and `opens`.
     near, far : float
         Smallest depth at which a ray of the tiles enters the stock, and largest depth at which a ray leaves it, mm.
     """

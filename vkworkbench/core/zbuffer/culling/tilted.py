@@ -2,9 +2,9 @@
 """Find the trajectories that can cut a tile in an oblique view.
 
 Each ray of a tile is parallel to the ray through the tile's middle (the middle ray), at a distance of up to half a
-tile. If the tool is made larger by this distance, it removes from the middle ray at least what the original tool
-removes from any ray of the tile. If the tool is made smaller by this distance, it removes from the middle ray only what
-the original tool removes from all rays of the tile.
+tile. If the tool is enlarged by the largest distance of a ray from the middle ray, it removes from the middle ray at
+least what the original tool removes from any ray of the tile. If the tool is reduced by the largest distance, it
+removes from the middle ray only what the original tool removes from all rays of the tile.
 
 Depths on different rays are measured from one horizontal plane, so that a level floor has the same depth on all rays.
 If all tools are ball-end mills, which cut no flat floors, or if the view is from the side, depths are measured from a
@@ -33,7 +33,7 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 # then differ so much from the original tool that no trajectory could be dropped. With a larger limit, a level floor
 # would have different depths on the rays of a tile in more views, so fewer trajectories could be dropped.
 _LEVEL = 0.3
-# Length, mm, by which the reduced tool is made smaller in addition to the distance between rays. Without this margin,
+# Length, mm, by which the reduced tool is made smaller in addition to the distance between rays. Without a margin,
 # rounding would decide whether a ray that touches a surface is removed, so the reduced tool could remove too much. With
 # a larger margin, fewer trajectories would be dropped.
 _LESS = 1e-6

@@ -27,7 +27,7 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 _RIM = 1e-9
 # Distance from the boundary of a swept area, mm, below which `Trajectories.passing` decides whether a ray is inside.
 # With a smaller distance, rounding errors could give different results for a ray in a tile and for the same ray cut
-# alone. With a larger distance, more rays would need this additional test.
+# alone. With a larger distance, `Trajectories.passing` would be computed for more rays.
 _RIM_LENGTH = 1e-4
 
 
@@ -227,7 +227,7 @@ def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> t
     def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
         """Return the depths of the ball's surface where its chord along the move has the squared half length `chord2`.
 
-        The ball's axis is between `begin` and `end` along the move; the function overwrites both arrays.
+        The ball's axis is between `begin` and `end` along the move; the function overwrites `begin` and `end`.
         """
         if slopes is None:
             at = np.maximum(begin, 0, out=begin)
