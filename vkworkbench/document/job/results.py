@@ -26,7 +26,9 @@ _MAX_TRAJECTORIES = 10_000_000
 
 
 class ResultCache:
-    """A cache of the results of operations, each stored as a row of a report. If a limit is exceeded, the rows that were not used for the longest time are dropped.
+    """A cache of the results of operations, each stored as a row of a report.
+
+    If a limit is exceeded, the rows that were not used for the longest time are dropped.
 
     Parameters
     ----------
