@@ -46,7 +46,7 @@ def samples():
 
 
 def models(found) -> dict[str, float]:
-    """Return the time of a simulation by each model, s, from its estimate."""
+    """Return the time of a simulation as each model predicts it, s; `found` is the estimate of the simulation."""
     work, constants = found.work, SPEED.constants
     amounts = work.amounts()
     equal, rays = amounts.copy(), amounts.copy()

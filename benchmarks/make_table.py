@@ -172,7 +172,7 @@ def of_nonsense(kind: Callable) -> Iterator[Labelled]:
 
 
 def rows_of(one: Labelled) -> list[dict[str, str]]:
-    """Return the rows of an operation with its tool and without it. Drilling has no rows, because it is not learned."""
+    """Return the rows of an operation with its tool and without it. Drilling is not learned and has no rows."""
     moves, rows = monotonous_areas(one.path), []
     for tool in dict.fromkeys((one.tool or 0.0, 0.0)) if len(moves) else ():
         section, paper = Section(moves, tool), paper_verdict(moves)

@@ -3,13 +3,13 @@
 
     python3 benchmarks/zbuffer.py [quick]
 
-The script needs numpy only. For toolpaths of zbuffer_cases.py, from above and obliquely, it prints the number of dexels
-and trace elements, of tested pairs (a tile or pixel, and a trajectory), and the best processor time of three runs. The
-script also tests every trajectory on every ray that the trajectory passes, in a smaller image if this would take too
-long, and prints the ratio of this time to the time with culling. Then the script prints how the time grows with the
-number of trajectories, the time to show any moment of a simulation, and, without `quick`, the cost of a million
-trajectories. The times depend on the computer, and only ratios are comparable. benchmarks/zbuffer_freecad.py compares
-the z-buffer with FreeCAD's PathSimulator.
+The script needs numpy only. For toolpaths of zbuffer_cases.py, from above and obliquely, the script prints the number
+of dexels and trace elements, of tested pairs (a tile or pixel, and a trajectory), and the best processor time of three
+runs. The script also tests every trajectory on every ray that the trajectory passes, in a smaller image if this would
+take too long, and prints the ratio of this time to the time with culling. Then the script prints how the time grows
+with the number of trajectories, the time to show any moment of a simulation, and, without `quick`, the cost of a
+million trajectories. The times depend on the computer, and only ratios are comparable. benchmarks/zbuffer_freecad.py
+compares the z-buffer with FreeCAD's PathSimulator.
 """
 
 from __future__ import annotations

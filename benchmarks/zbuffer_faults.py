@@ -158,8 +158,9 @@ class Job:
                 sizes.update(holder_diameter=None, holder_length=None)
         elif rng.random() < 0.5 and fault not in ("no retract", "wall", "clamp"):
             # Half of these jobs have flutes that are only slightly longer than a depth step, with a shank of the same
-            # diameter. All other jobs have a holder just above the block. The faults excluded here have moves beside
-            # the pocket, for which such flutes are too short, or a clamp, for which such a holder is too low.
+            # diameter. All other jobs have a holder just above the block. Jobs with the faults in the condition are
+            # excluded: their moves beside the pocket are too deep for these flutes, or their clamp collides with this
+            # holder.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)

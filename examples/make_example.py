@@ -23,8 +23,8 @@ VERSION = tuple(map(int, FreeCAD.Version()[:2]))
 LENGTH, WIDTH, HEIGHT = 160.0, 100.0, 20.0  # mm; the plate's lower corner is the origin
 ALLOWANCE = Vector(2, 2, 0), Vector(2, 2, 1.5)  # mm of raw stock on the plate's lower and upper sides
 
-# FreeCAD 1.x calls its CAM modules Path.X and Path.Gui.X. FreeCAD 0.20 calls them PathX and PathXGui, with these
-# exceptions.
+# FreeCAD 1.x calls its CAM modules Path.X and Path.Gui.X. FreeCAD 0.20 calls the same modules PathX and PathXGui, with
+# these exceptions.
 OLD_NAMES = {
     "Op.Gui.Base": "PathOpGui",
     "Tool.Bit": "PathToolBit",

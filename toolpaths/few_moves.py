@@ -15,14 +15,14 @@ from toolpaths.synthetic import Program, circle, closed, depths, outline
 
 
 def walls_of_a_slot(rng):
-    """Two opposite walls, each cut at all depths before the other, closer or farther apart than the tool is wide."""
+    """Two opposite walls, closer or farther apart than the tool is wide; one is cut at all depths, then the other."""
     p, angle, tool = Program(rng), rng.uniform(0, 2 * np.pi), rng.uniform(1, 12)
     width, length = tool * np.exp(rng.uniform(-2.3, 1.0)), tool * rng.uniform(3, 20)
     lead, opposite = rng.choice([0.0, rng.uniform(0.1, 0.5)]) * tool, rng.random() < 0.7
     levels = -rng.uniform(0.3, 2.0) * np.arange(1, rng.integers(2, 7))
     for side in (0, 1):
         wall = np.array([(0.0, side * width), (length, side * width)])
-        if lead:  # the tool enters from the middle of the slot and leaves towards it
+        if lead:  # the tool enters from the middle of the slot and leaves towards the middle
             inward = lead if side == 0 else -lead
             wall = np.vstack([wall[0] + (-lead, inward), wall, wall[1] + (lead, inward)])
         for z in levels:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Write one CSV file for a folder of FreeCAD documents, with a line for each operation.
 
-The macro asks for the folder. It opens documents without a window and does not change them. A document that is already
-open stays open. The report view shows the names of files that FreeCAD cannot open.
+The macro asks for the folder. The macro opens documents without a window and does not change them. A document that is
+already open stays open. The report view shows the names of files that FreeCAD cannot open.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import vkworkbench
 
 
 def folder_to_csv(folder, table):
-    """Analyse all documents below a folder and write a table; return its number of operations."""
+    """Analyse all documents below a folder and write a table; return the number of operations in the table."""
     whole = None
     for path in sorted(Path(folder).rglob("*.FCStd")):
         open_before = FreeCAD.listDocuments()
