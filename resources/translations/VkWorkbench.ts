@@ -1917,19 +1917,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To set others, select their solids first, and the job if there are several.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{} has no clamps.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To set them, select their solids first, and the job if there are several.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1938,6 +1926,14 @@
     </message>
     <message>
         <source>Clamps of {}: {}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, the command shows the present clamps and can remove them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To set clamps, select their solids and start this command again. If the document has several jobs, select the job, too.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2401,7 +2397,7 @@ Memory</source>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
+        <extracomment>Names of attributes of `Rings`.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1411,7 +1411,7 @@
     </message>
     <message>
         <source>Shank, holder and clamps were not checked.</source>
-        <translation>Schaft, Halter und Spannmittel wurden nicht geprüft.</translation>
+        <translation>Schaft, Halter und Spannvorrichtungen wurden nicht geprüft.</translation>
     </message>
     <message>
         <source>Of two codes of one kind in a line, such as G0 and G1 or G90 and G91, the last one is read.</source>
@@ -1917,20 +1917,8 @@
         <translation>Auswahl als Spannvorrichtungen festlegen</translation>
     </message>
     <message>
-        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
-        <translation>Macht die ausgewählten Körper, zum Beispiel Spannpratzen und Schraubstöcke, zu den Spannvorrichtungen des Auftrags. Die Simulation warnt, wenn Werkzeug, Schaft oder Halter mit ihnen kollidieren. Ist kein Körper ausgewählt, werden die jetzigen Spannvorrichtungen gezeigt.</translation>
-    </message>
-    <message>
-        <source>To set others, select their solids first, and the job if there are several.</source>
-        <translation>Um andere festzulegen, wählen Sie zuerst deren Körper aus, und den Auftrag, wenn es mehrere gibt.</translation>
-    </message>
-    <message>
         <source>{} has no clamps.</source>
         <translation>{} hat keine Spannvorrichtungen.</translation>
-    </message>
-    <message>
-        <source>To set them, select their solids first, and the job if there are several.</source>
-        <translation>Um welche festzulegen, wählen Sie zuerst deren Körper aus, und den Auftrag, wenn es mehrere gibt.</translation>
     </message>
     <message>
         <source>Remove Clamps</source>
@@ -1939,6 +1927,14 @@
     <message>
         <source>Clamps of {}: {}.</source>
         <translation>Spannvorrichtungen von {}: {}.</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, the command shows the present clamps and can remove them.</source>
+        <translation>Macht die ausgewählten Körper, zum Beispiel Spannpratzen und Schraubstöcke, zu den Spannvorrichtungen des Auftrags. Die Simulation warnt, wenn Werkzeug, Schaft oder Halter mit ihnen kollidieren. Ist kein Körper ausgewählt, zeigt der Befehl die jetzigen Spannvorrichtungen und kann sie entfernen.</translation>
+    </message>
+    <message>
+        <source>To set clamps, select their solids and start this command again. If the document has several jobs, select the job, too.</source>
+        <translation>Um Spannvorrichtungen festzulegen, wählen Sie deren Körper aus und starten Sie diesen Befehl noch einmal. Hat das Dokument mehrere Aufträge, wählen Sie auch den Auftrag aus.</translation>
     </message>
 </context>
 <context>
@@ -2407,7 +2403,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
+        <extracomment>Names of attributes of `Rings`.</extracomment>
         <translation>Zeit für „Werkzeugwege simulieren“. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
     </message>
     <message>

@@ -1917,20 +1917,8 @@
         <translation>Definir las bridas a partir de la selección</translation>
     </message>
     <message>
-        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
-        <translation>Convierte los sólidos seleccionados, por ejemplo bridas y mordazas, en las bridas del trabajo. La simulación avisa si una herramienta, un vástago o un portaherramientas choca con ellas. Si no hay ningún sólido seleccionado, muestra las bridas actuales.</translation>
-    </message>
-    <message>
-        <source>To set others, select their solids first, and the job if there are several.</source>
-        <translation>Para definir otras, seleccione primero sus sólidos, y el trabajo si hay varios.</translation>
-    </message>
-    <message>
         <source>{} has no clamps.</source>
         <translation>{} no tiene bridas.</translation>
-    </message>
-    <message>
-        <source>To set them, select their solids first, and the job if there are several.</source>
-        <translation>Para definirlas, seleccione primero sus sólidos, y el trabajo si hay varios.</translation>
     </message>
     <message>
         <source>Remove Clamps</source>
@@ -1939,6 +1927,14 @@
     <message>
         <source>Clamps of {}: {}.</source>
         <translation>Bridas de {}: {}.</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, the command shows the present clamps and can remove them.</source>
+        <translation>Convierte los sólidos seleccionados, por ejemplo bridas y mordazas, en las bridas del trabajo. La simulación avisa si una herramienta, un vástago o un portaherramientas choca con ellas. Si no hay ningún sólido seleccionado, el comando muestra las bridas actuales y puede quitarlas.</translation>
+    </message>
+    <message>
+        <source>To set clamps, select their solids and start this command again. If the document has several jobs, select the job, too.</source>
+        <translation>Para definir bridas, seleccione sus sólidos y vuelva a iniciar este comando. Si el documento tiene varios trabajos, seleccione también el trabajo.</translation>
     </message>
 </context>
 <context>
@@ -2407,7 +2403,7 @@ como mucho</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
+        <extracomment>Names of attributes of `Rings`.</extracomment>
         <translation>Tiempo de «Simular trayectorias». Una operación se simula sola, sobre el material entero. En un trabajo, cada operación corta el material que queda.</translation>
     </message>
     <message>

@@ -1211,7 +1211,7 @@
     </message>
     <message>
         <source>The stock is where the other job leaves it, because the jobs have different models.</source>
-        <translation>Le brut reste où l&apos;autre travail le laisse, car les travaux ont des modèles différents.</translation>
+        <translation>Le brut reste où l&apos;autre tâche le laisse, car les tâches ont des modèles différents.</translation>
     </message>
     <message>
         <source>1 move was not checked for lack of time: command {command:#} of {label}.</source>
@@ -1303,7 +1303,7 @@
     </message>
     <message>
         <source>The job moves {needed:mm4} along {axis}, but the travel of the machine is {travel:mm4}.</source>
-        <translation>Le travail se déplace de {needed:mm4} selon {axis}, mais la course de la machine est de {travel:mm4}.</translation>
+        <translation>La tâche se déplace de {needed:mm4} selon {axis}, mais la course de la machine est de {travel:mm4}.</translation>
     </message>
     <message>
         <source>The time did not suffice to check all walls for gouges narrower than {pixel:mm2}.</source>
@@ -1327,7 +1327,7 @@
     </message>
     <message>
         <source>The verdict of the simulation is outdated, because the job has changed. Simulate the job again.</source>
-        <translation>Le verdict de la simulation est périmé, car le travail a changé. Simulez-le de nouveau.</translation>
+        <translation>Le verdict de la simulation est périmé, car la tâche a changé. Simulez-la de nouveau.</translation>
     </message>
     <message>
         <source>No {what} was found, checked to {pixel:mm2}.</source>
@@ -1343,7 +1343,7 @@
     </message>
     <message>
         <source>{label} already begins with what this job leaves. Choose another job.</source>
-        <translation>{label} commence déjà par ce que ce travail laisse. Choisissez un autre travail.</translation>
+        <translation>{label} commence déjà par ce que cette tâche laisse. Choisissez une autre tâche.</translation>
     </message>
     <message>
         <source>The cuts of a pocket or circle ({name}) are ignored.</source>
@@ -1610,7 +1610,7 @@
     </message>
     <message>
         <source>Travel of the machine along X. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Course de la machine selon X. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+        <translation>Course de la machine selon X. L&apos;analyse signale les tâches et programmes qui demandent plus. 0 : inconnue.</translation>
     </message>
     <message>
         <source>Travel in Y</source>
@@ -1618,7 +1618,7 @@
     </message>
     <message>
         <source>Travel of the machine along Y. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Course de la machine selon Y. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+        <translation>Course de la machine selon Y. L&apos;analyse signale les tâches et programmes qui demandent plus. 0 : inconnue.</translation>
     </message>
     <message>
         <source>Travel in Z</source>
@@ -1626,7 +1626,7 @@
     </message>
     <message>
         <source>Travel of the machine along Z. The analysis warns of jobs and programs that need more. 0: unknown.</source>
-        <translation>Course de la machine selon Z. L&apos;analyse signale les travaux et programmes qui demandent plus. 0 : inconnue.</translation>
+        <translation>Course de la machine selon Z. L&apos;analyse signale les tâches et programmes qui demandent plus. 0 : inconnue.</translation>
     </message>
     <message>
         <source>Holder diameter</source>
@@ -1836,7 +1836,7 @@
     </message>
     <message>
         <source>Simulates the job, and adds the part that it leaves to the document as a mesh.</source>
-        <translation>Simule le travail et ajoute au document la pièce qu&apos;il laisse, comme maillage.</translation>
+        <translation>Simule la tâche et ajoute au document la pièce qu&apos;elle laisse, comme maillage.</translation>
     </message>
     <message>
         <source>{} was added to the document.</source>
@@ -1917,20 +1917,8 @@
         <translation>Définir les brides depuis la sélection</translation>
     </message>
     <message>
-        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
-        <translation>Fait des solides sélectionnés, par exemple des brides et des étaux, les brides du travail. La simulation avertit si un outil, une queue ou un porte-outil les heurte. Sans solide sélectionné, montre les brides actuelles.</translation>
-    </message>
-    <message>
-        <source>To set others, select their solids first, and the job if there are several.</source>
-        <translation>Pour en définir d&apos;autres, sélectionnez d&apos;abord leurs solides, et le travail s&apos;il y en a plusieurs.</translation>
-    </message>
-    <message>
         <source>{} has no clamps.</source>
         <translation>{} n&apos;a pas de brides.</translation>
-    </message>
-    <message>
-        <source>To set them, select their solids first, and the job if there are several.</source>
-        <translation>Pour en définir, sélectionnez d&apos;abord leurs solides, et le travail s&apos;il y en a plusieurs.</translation>
     </message>
     <message>
         <source>Remove Clamps</source>
@@ -1939,6 +1927,14 @@
     <message>
         <source>Clamps of {}: {}.</source>
         <translation>Brides de {} : {}.</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, the command shows the present clamps and can remove them.</source>
+        <translation>Fait des solides sélectionnés, par exemple des brides et des étaux, les brides de la tâche. La simulation avertit si un outil, une queue ou un porte-outil les heurte. Sans solide sélectionné, la commande montre les brides actuelles et peut les retirer.</translation>
+    </message>
+    <message>
+        <source>To set clamps, select their solids and start this command again. If the document has several jobs, select the job, too.</source>
+        <translation>Pour définir des brides, sélectionnez leurs solides et relancez cette commande. Si le document a plusieurs tâches, sélectionnez aussi la tâche.</translation>
     </message>
 </context>
 <context>
@@ -2051,11 +2047,11 @@
     <name>Vk_Jobs</name>
     <message>
         <source>The document has no job.</source>
-        <translation>Le document n&apos;a pas de travail.</translation>
+        <translation>Le document n&apos;a pas de tâche.</translation>
     </message>
     <message>
         <source>Choose the job:</source>
-        <translation>Choisissez le travail :</translation>
+        <translation>Choisissez la tâche :</translation>
     </message>
     <message>
         <source>Simulating {}…</source>
@@ -2070,15 +2066,15 @@
     <name>Vk_PreviousJob</name>
     <message>
         <source>Begin with the Part of Another Job</source>
-        <translation>Commencer par la pièce d&apos;un autre travail</translation>
+        <translation>Commencer par la pièce d&apos;une autre tâche</translation>
     </message>
     <message>
         <source>Lets the simulation of the job begin with the part that another job leaves, as for the second side of a part. The part is moved and turned with the model.</source>
-        <translation>Fait commencer la simulation du travail par la pièce qu&apos;un autre travail laisse, comme pour la seconde face d&apos;une pièce. La pièce est déplacée et tournée avec le modèle.</translation>
+        <translation>Fait commencer la simulation de la tâche par la pièce qu&apos;une autre tâche laisse, comme pour la seconde face d&apos;une pièce. La pièce est déplacée et tournée avec le modèle.</translation>
     </message>
     <message>
         <source>No other job of this document machines the part of {}.</source>
-        <translation>Aucun autre travail de ce document n&apos;usine la pièce de {}.</translation>
+        <translation>Aucune autre tâche de ce document n&apos;usine la pièce de {}.</translation>
     </message>
     <message>
         <source>The simulation of {} begins with:</source>
@@ -2407,7 +2403,7 @@ au plus</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
+        <extracomment>Names of attributes of `Rings`.</extracomment>
         <translation>Durée de « Simuler l&apos;usinage ». Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut restant.</translation>
     </message>
     <message>
@@ -2443,7 +2439,7 @@ au plus</translation>
     </message>
     <message>
         <source>Simulates the job, and saves the part that it leaves as an STL file.</source>
-        <translation>Simule le travail et enregistre la pièce qu&apos;il laisse dans un fichier STL.</translation>
+        <translation>Simule la tâche et enregistre la pièce qu&apos;elle laisse dans un fichier STL.</translation>
     </message>
     <message>
         <source>{} cannot be written: {}</source>

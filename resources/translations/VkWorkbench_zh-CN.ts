@@ -1403,7 +1403,7 @@
     </message>
     <message>
         <source>Gouges were not checked, because the job has no model with a volume.</source>
-        <translation>未检查过切，因为任务没有实体模型。</translation>
+        <translation>未检查过切，因为作业没有实体模型。</translation>
     </message>
     <message>
         <source>Gouges of {labels} were not checked, because the tool is simulated by a simpler shape.</source>
@@ -1590,7 +1590,7 @@
     </message>
     <message>
         <source>Measured time of a job divided by the time planned here. Multiplies all times.</source>
-        <translation>任务的实测时间除以此处规划的时间。所有时间都乘以该系数。</translation>
+        <translation>作业的实测时间除以此处规划的时间。所有时间都乘以该系数。</translation>
     </message>
     <message>
         <source>Fills the values from the answer of grbl to the command $$.</source>
@@ -1917,20 +1917,8 @@
         <translation>将所选对象设为夹具</translation>
     </message>
     <message>
-        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.</source>
-        <translation>将所选实体（例如压板和虎钳）设为该作业的夹具。如果刀具、刀柄或夹头与其碰撞，模拟会发出警告。如果没有选择实体，则显示当前的夹具。</translation>
-    </message>
-    <message>
-        <source>To set others, select their solids first, and the job if there are several.</source>
-        <translation>要设置其他夹具，请先选择其实体；如果有多个作业，还要选择作业。</translation>
-    </message>
-    <message>
         <source>{} has no clamps.</source>
         <translation>{} 没有夹具。</translation>
-    </message>
-    <message>
-        <source>To set them, select their solids first, and the job if there are several.</source>
-        <translation>要设置夹具，请先选择其实体；如果有多个作业，还要选择作业。</translation>
     </message>
     <message>
         <source>Remove Clamps</source>
@@ -1939,6 +1927,14 @@
     <message>
         <source>Clamps of {}: {}.</source>
         <translation>{} 的夹具：{}。</translation>
+    </message>
+    <message>
+        <source>Makes the selected solids, such as clamps and vices, the clamps of the job. The simulation warns if a tool, shank or holder collides with them. If no solid is selected, the command shows the present clamps and can remove them.</source>
+        <translation>将所选实体（例如压板和虎钳）设为该作业的夹具。如果刀具、刀柄或夹头与其碰撞，模拟会发出警告。如果没有选择实体，该命令会显示当前的夹具，并可将其移除。</translation>
+    </message>
+    <message>
+        <source>To set clamps, select their solids and start this command again. If the document has several jobs, select the job, too.</source>
+        <translation>要设置夹具，请选择其实体，然后再次启动该命令。如果文档有多个作业，还要选择作业。</translation>
     </message>
 </context>
 <context>
@@ -2407,7 +2403,7 @@ at Most</source>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Number for the strategy by the paper&apos;s literal rule; a strategy that is not in this table gets the number 0.</extracomment>
+        <extracomment>Names of attributes of `Rings`.</extracomment>
         <translation>“模拟刀具路径”所需的时间。操作单独在完整毛坯上模拟。在作业中，每个操作切削剩余的毛坯。</translation>
     </message>
     <message>

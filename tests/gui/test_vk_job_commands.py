@@ -46,7 +46,7 @@ def test_button_shows_and_removes_the_clamps(document, vice, window):
     select(job_in(document))
     window.click("Set Clamps from Selection")
     (text,) = window.dismiss()
-    assert "has no clamps. To set them, select their solids first" in text
+    assert "has no clamps. To set clamps, select their solids" in text
     select(vice, job_in(document))
     window.click("Set Clamps from Selection")
     select()

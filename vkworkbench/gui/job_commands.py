@@ -76,7 +76,8 @@ class ClampsCommand(JobCommand):
     tooltip = QT_TRANSLATE_NOOP(
         "Vk_Clamps",
         "Makes the selected solids, such as clamps and vices, the clamps of the job. "
-        "The simulation warns if a tool, shank or holder collides with them. If no solid is selected, shows the present clamps.",
+        "The simulation warns if a tool, shank or holder collides with them. "
+        "If no solid is selected, the command shows the present clamps and can remove them.",
     )
 
     def run(self, job, selected: list) -> None:
@@ -86,10 +87,13 @@ class ClampsCommand(JobCommand):
             set_clamps(job, solids)
             show_status(_clamps_text(job))
             return
-        advice = translate("Vk_Clamps", "To set others, select their solids first, and the job if there are several.")
+        advice = translate(
+            "Vk_Clamps",
+            "To set clamps, select their solids and start this command again. "
+            "If the document has several jobs, select the job, too.",
+        )
         if not clamps_of(job):
             none = translate("Vk_Clamps", "{} has no clamps.").format(job.Label)
-            advice = translate("Vk_Clamps", "To set them, select their solids first, and the job if there are several.")
             self.tell(f"{none} {advice}")
             return
         offer(
