@@ -35,7 +35,8 @@ def test_reversal_stops_the_tool():
 
 
 def test_corner_speed_is_the_speed_on_its_rounding():
-    # The rounding is a circle, tangent to both moves and 0.01 mm from the corner. Its centre lies at 45 degrees.
+    # The rounding is a circle, tangent to both moves and 0.01 mm from the corner. The centre of the circle lies at 45
+    # degrees.
     radius = 0.01 * sqrt(0.5) / (1 - sqrt(0.5))
     corner = sqrt(200 * sqrt(2) * radius)
     one = 100 / 20 + 20 / 200 / 2 + (20 - corner) ** 2 / (2 * 200 * 20)

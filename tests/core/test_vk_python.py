@@ -29,7 +29,7 @@ GENERIC = {"dict", "frozenset", "list", "set", "tuple", "type"}
 def newer(source: str) -> list[str]:
     """Return the uses of newer Python features in a source text, by line.
 
-    A union of types `X | Y` outside annotations is not found. Only running the code would show it.
+    A union of types `X | Y` outside annotations is not found. Only running the code would show such a union.
     """
     try:
         tree = ast.parse(source, feature_version=OLDEST)

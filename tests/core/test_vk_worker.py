@@ -174,7 +174,7 @@ def test_processes_equal_available_cores(monkeypatch):
         assert worker.processes() == 1
     finally:
         os.sched_setaffinity(0, mine)
-    monkeypatch.delattr(os, "sched_getaffinity")  # Windows and macOS do not have this function.
+    monkeypatch.delattr(os, "sched_getaffinity")  # Windows and macOS do not have sched_getaffinity.
     assert worker.processes() == os.cpu_count()
 
 

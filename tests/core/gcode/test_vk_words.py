@@ -28,7 +28,7 @@ class Command:
 
 @pytest.fixture
 def many(monkeypatch):
-    """Return the number of commands, and reduce the batch size to an eighth of it.
+    """Return the number of commands, and reduce the batch size to an eighth of this number.
 
     With small batches, a test with few commands shows whether the memory grows with the number of commands.
     """

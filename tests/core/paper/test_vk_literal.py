@@ -24,7 +24,7 @@ def verdict(points, sense=1):
     ("corners", "strategy"),
     [(4, Strategy.ZIGZAG), (5, Strategy.UNKNOWN), (6, Strategy.UNKNOWN), (7, Strategy.CONTOUR_PARALLEL)],
 )
-def test_bounds_of_the_papers_rule_are_pi_and_two_pi(corners, strategy, sense):
+def test_limits_of_phi_in_the_papers_rule_are_pi_and_two_pi(corners, strategy, sense):
     """The path follows the sides of a square, with a quarter turn at each corner except the first and the last."""
     points = [SQUARE[k % 4] for k in range(corners)]
     found = verdict(points, sense)
@@ -47,7 +47,7 @@ def test_v_of_nearly_closed_contour_has_no_direction():
     assert found.image == (0, 0)
 
 
-def test_gauss_image_of_a_contour_turns_in_one_sense():
+def test_direction_of_v_k_along_a_contour_turns_in_one_sense():
     assert (verdict(SQUARE).sense, verdict(SQUARE, -1).sense) == ("ccw", "cw")
     assert verdict([(0, 0), (10, 0), (20, 0)]).sense is None  # The direction of V_k does not change.
     assert verdict([(0, 0), (30, 0), (30, 2), (0, 2), (0, 4), (30, 4)]).sense is None  # V_k turns back and forth.
@@ -77,7 +77,7 @@ def test_small_turn_of_v_k_back_and_forth_has_no_sense():
 
 
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
-def test_gauss_image_that_turns_back_by_one_percent_has_no_sense(share, sense):
+def test_direction_that_turns_back_by_one_percent_has_no_sense(share, sense):
     """The direction of V_k turns by two radians in total. Of the sum of all its turns, `share` is a turn back."""
     back = 2 * share / (1 - 2 * share)  # The angles add up to 2 + 2 * back, in rad.
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]

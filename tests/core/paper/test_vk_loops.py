@@ -63,9 +63,9 @@ def test_nearly_closed_loop_is_found_anywhere_in_the_path(gap, is_one):
 @pytest.mark.parametrize("degrees", range(0, 360, 15))
 @pytest.mark.parametrize("tip", [30, 10])
 def test_lead_in_and_out_does_not_change_loop_count(tip, degrees):
-    """The path ends where it begins, at the tip of the lead, where it reverses.
+    """The path begins and ends at the tip of the lead, where the direction reverses.
 
-    The sign of this half-turn must not matter.
+    The number of loops must not depend on the sign of this half-turn.
     """
     around = [(20, 20), (-20, 20), (-20, -20), (20, -20), (20, 0)]
     path = np.array([(tip, 0), (20, 0), *around, *around, (tip, 0)])

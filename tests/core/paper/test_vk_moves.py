@@ -60,7 +60,7 @@ def test_first_plunge_is_not_an_area():
 
 @pytest.mark.parametrize("drop, cuts", [(0.0, 1), (-80.0, 1), (-120.0, 0)])
 def test_slope_of_at_most_five_in_one_is_a_move_and_not_a_plunge(drop, cuts):
-    # The move has 20 mm in the XY plane. The move is a slope, not a plunge, if it goes down by at most 100 mm.
+    # The move has 20 mm in the XY plane. A move with a descent of at most 100 mm is a slope, and not a plunge.
     assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts
 
 

@@ -47,7 +47,10 @@ def test_rapids_do_not_affect_the_plane():
 
 @pytest.mark.parametrize("place", [0, 1, 99, 100, 200])
 def test_point_outside_a_vertical_plane_makes_the_plane_xy(place):
-    """For a long path, a sample of the moves is tested first. A point between the samples or at an end also matters."""
+    """For a long path, a sample of the moves is tested first.
+
+    A point outside the plane, between the samples or at an end, is also found.
+    """
     points = waves(200)
     points[place, 1] += 1
     assert plane(points) == XY

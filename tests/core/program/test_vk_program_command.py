@@ -289,7 +289,7 @@ def test_program_after_a_timeout_is_read(folder, endless):
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
 def test_decompression_bomb_affects_only_its_own_result(folder, tmp_path, monkeypatch):
-    """The bomb is small until it is decompressed. The programs before and after it are read."""
+    """The bomb is small until it is decompressed. The programs before and after the bomb are read."""
     monkeypatch.setattr(apart, "_MOST_MEMORY", 5e7)
     bomb = tmp_path / "bomb.nc.xz"
     bomb.write_bytes(lzma.compress(b"G1 X1\nX2\n" * 400_000, preset=0))
@@ -506,7 +506,7 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
 @pytest.mark.long
 def test_full_disk_ends_the_command_with_one_line(folder, tmp_path):
     out = tmp_path / "out"
-    # Without this, Python would leave a truncated bytecode file.
+    # Without this variable, Python would leave a truncated bytecode file.
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     with room_for(10):
         done = run(folder, "--json-lines", out, "--jobs", 1, env=environment)

@@ -86,7 +86,7 @@ def test_one_larger_distance_makes_rows_less_even():
 
 
 def test_neighbours_that_are_not_parallel_are_not_passes():
-    """Only scan lines across the saw teeth, which rise and fall by 20 degrees, cross them more than once."""
+    """Only scan lines across the saw teeth, which rise and fall by 20 degrees, cross the teeth more than once."""
     teeth = [(20.0 * k, (20.0 * np.tan(np.pi / 9) if k % 2 else 0.0), 0.0) for k in range(9)]
     strokes = [
         [(x, y + 5.0 * (k % 2), 0.0) for x, y, _ in (teeth if k % 2 else [(x, 7.3 - y, z) for x, y, z in teeth])]

@@ -17,7 +17,7 @@ ZIGZAG, ADAPTIVE, PROFILE, OFFSETS = Strategy.ZIGZAG, Strategy.ADAPTIVE, Strateg
 
 
 def found_in(*sections, where=0.0, doubtful=None, rapids=True):
-    """Return the indices of the sections that belong to the operation before them.
+    """Return the indices of the sections that belong to the operation before the section.
 
     A section is (strategy, box[, depth[, passes[, stepover]]]). The links between sections are rapids or feed moves.
     """

@@ -38,7 +38,7 @@ def test_moved_or_larger_piece_has_another_footprint(other):
 
 
 def test_same_box_with_longer_path_is_another_footprint():
-    """One path follows the border, and one path also crosses the box. The boxes are equal, and the lengths differ."""
+    """Both paths have the same bounding box, and one path is longer because it also crosses the box."""
     x, y, _ = np.min(polygon(**SQUARE), axis=0)
     wave = [(x, y, 0), (x + 20, y, 0), (x + 20, y + 10, 0), (x, y + 10, 0), (x, y + 20, 0), (x + 20, y + 20, 0)]
     pieces = pieces_of(wave, [*wave[:1], (x + 20, y, 0), (x + 20, y + 20, 0)])

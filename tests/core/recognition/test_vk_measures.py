@@ -231,13 +231,13 @@ def test_measures_of_a_grid_combine_the_rows_along_both_axes(rows):
 
 
 @pytest.mark.parametrize(("turns", "around"), [(0.9, 0), (1.5, 1)])
-def test_area_turning_more_than_once_counts_as_winding(turns, around):
+def test_path_of_more_than_one_full_turn_counts_as_winding(turns, around):
     spiral, straight = winding(30.0, 12.0, turns), [(200.0, 0.0, 0.0), (250.0, 0.0, 0.0)]
     length = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(spiral, spiral[1:]))
     holds(told(programs.program([spiral, straight])), {"around_areas": around * length / (length + 50)})
 
 
-def test_length_share_of_a_winding_is_its_length_over_the_total():
+def test_share_of_spirals_is_their_length_over_the_total_length():
     spiral = winding(30.0, 12.0, 3)
     rows = [(200.0 + x, 3.0 * row, 0.0) for row in range(6) for x in ((0.0, 40.0), (40.0, 0.0))[row % 2]]
     around, straight = (sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in zip(of, of[1:])) for of in (spiral, rows))

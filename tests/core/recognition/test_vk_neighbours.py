@@ -36,7 +36,7 @@ def test_step_of_offsets_around_a_corner_is_their_distance():
     assert found.step == pytest.approx(2.0, abs=0.05)
 
 
-def test_offsets_cut_back_and_forth_do_not_go_onward():
+def test_neighbours_cut_back_and_forth_have_opposite_directions():
     found = neighbours([corner(2.0 * k)[:: 1 - 2 * (k % 2)] for k in range(6)])
     assert (found.count, found.even, found.onward) == pytest.approx((6, 1, 0))
 

@@ -74,7 +74,7 @@ def test_loop_with_a_tail_is_two_pieces_of_one_area():
     assert pieces.start.tolist() == [0, 4] and pieces.end.tolist() == [4, 6]
 
 
-def test_each_turn_of_a_winding_is_a_piece():
+def test_each_full_turn_of_a_spiral_is_a_piece():
     """After a spiral of three turns, a zigzag remains a piece of its own kind."""
     angles = np.linspace(0, 3 * TURN, 145)
     radius = 30 - 6 * angles / TURN
@@ -88,7 +88,7 @@ def test_each_turn_of_a_winding_is_a_piece():
 
 @pytest.mark.parametrize("corners", [4, 48])
 @pytest.mark.parametrize("turned", [0.25, 12.25])
-def test_box_of_a_piece_contains_the_whole_piece(corners, turned):
+def test_bounding_box_of_a_piece_contains_the_whole_piece(corners, turned):
     """Bounding boxes of few and of many points are computed differently.
 
     The piece begins at its right side or at its top.
@@ -146,7 +146,7 @@ def test_zigzag_has_one_pass_per_row_in_any_direction(degrees):
     assert pieces.kind.tolist() == [ZIGZAG] and pieces.passes.tolist() == [7]
 
 
-def test_links_that_bulge_into_rows_are_not_passes():
+def test_links_that_extend_into_the_rows_are_not_passes():
     """Each link leads 1 mm into the rows and back, while it moves 3 mm to the next row."""
     ends, stroke = (0.0, 40.0), []
     for row in range(7):
@@ -206,7 +206,7 @@ def test_few_rows_must_be_parallel_but_many_rows_may_lean():
 
 
 @pytest.mark.parametrize("turns, kind", [(1.1, STROKE), (1.3, WINDING)])
-def test_winding_turns_by_more_than_a_turn_and_a_fifth(turns, kind):
+def test_spiral_makes_more_than_1_2_full_turns(turns, kind):
     """The radius of the arc grows along the arc, so the arc does not meet itself."""
     angles = np.linspace(0, turns * TURN, 49)
     pieces = pieces_of([(70 + (20 + a) * math.cos(a), (20 + a) * math.sin(a), 0) for a in angles])

@@ -53,7 +53,7 @@ def lifted(path, height):
 
 
 def after(first, second):
-    """Return both toolpaths one after the other, with rapids up, across and down between them."""
+    """Return one toolpath of both toolpaths in sequence, linked by rapids up, across and down."""
     top = max(first.points[:, 2].max(), second.points[:, 2].max()) + 1.0
     a, b = first.points[-1], second.points[0]
     link = np.array([(*a[:2], top), (*b[:2], top), b])
@@ -399,7 +399,7 @@ def test_odds_of_two_strategies_follow_from_both_confidences():
     )
 
 
-def test_operation_of_program_is_one_span_named_by_rows():
+def test_operation_of_rows_and_a_contour_is_named_by_its_rows():
     rows, contour = Strategy.ZIGZAG, Strategy.PROFILE
 
     def span(*spans):

@@ -38,7 +38,8 @@ def strategy(commands, **options):
 
 
 def test_zigzag_with_thousands_of_exact_reversals_is_a_zigzag():
-    # In a public zigzag program with 6,212 exact reversals, the paper's literal rule finds a contour of level 3,103.
+    # In a public zigzag program with 6,212 exact reversals, the paper's rule as printed finds a contour with 3,103 full
+    # turns.
     program = list(START)
     for k in range(3106):
         y = 0.05 * k
@@ -396,7 +397,7 @@ def test_loops_around_ribs_in_a_row_are_not_trochoids(degrees):
 
 
 @pytest.mark.parametrize("straight", [False, True])
-def test_winding_with_many_strokes_is_not_a_spiral(straight):
+def test_full_turns_with_many_open_strokes_are_not_a_spiral(straight):
     # Adaptive clearing from outside the stock has full turns while stock remains all around, and then arcs at both
     # ends, or rows along both sides, all climb or all conventional.
     program, gap = [("G0", {"X": 90.0, "Y": 0.0, "Z": 5.0}), ("G1", {"Z": -1.0})], 1.2

@@ -175,7 +175,7 @@ def test_border_between_equal_strategies_stays_in_mixed():
     assert [str(s.strategy) for s in as_operation.spans] == ["contour-parallel", "zigzag"]
 
 
-def test_box_of_a_visit_includes_its_last_move():
+def test_box_of_cuts_between_retracts_includes_the_last_move():
     path = linearize([
         ("G0", {"X": 5.0, "Y": 5.0, "Z": 5.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 9.0}), ("G1", {"X": 20.0, "Y": -3.0}),
         ("G0", {"Z": 5.0}), ("G0", {"X": 50.0, "Y": 50.0}), ("G1", {"Z": -1.0}), ("G1", {"X": 40.0, "Y": 70.0}),
@@ -186,7 +186,7 @@ def test_box_of_a_visit_includes_its_last_move():
 
 
 @pytest.mark.parametrize(("corner", "same"), [((20.0, 20.0), 1.0), ((29.0, 20.0), 0.0), ((20.0, 29.0), 0.0)])
-def test_visits_with_equal_bounding_boxes_cut_the_same_area(corner, same):
+def test_equal_bounding_boxes_around_a_retract_are_one_area(corner, same):
     def rectangle(x, y):
         corners = ((x, 0.0), (x, y), (0.0, y), (0.0, 0.0))
         return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
@@ -217,7 +217,7 @@ def backwards(visits):
     return Visits(*(values[::-1] for values in vars(visits).values()))
 
 
-def test_measures_of_two_visits_match_hand_calculation():
+def test_measures_of_two_stretches_between_retracts_are_exact():
     told = {name: values.item() for name, values in compare_visits(two_visits()).items()}
     series = {name: told.pop(name) for name in [*told] if name.startswith("series_")}
     assert series == {name: told[name[len("series_") :]] for name in series}
@@ -247,7 +247,7 @@ def test_measures_of_two_visits_match_hand_calculation():
         ("fastest", [20, 20.1], "same_feed"),
     ],
 )  # fmt: skip
-def test_visits_with_differences_by_rounding_are_similar(name, values, measure):
+def test_cuts_around_a_retract_are_alike_within_rounding(name, values, measure):
     assert compare_visits(two_visits(**{name: values}))[measure] == 1
     apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # The difference is 0.03 mm, or 1.5 % of the feed.
     assert compare_visits(two_visits(**{name: apart}))[measure] == 0
@@ -264,12 +264,12 @@ def test_visits_with_differences_by_rounding_are_similar(name, values, measure):
         ([[10, 10], [10.5, 10]], [[30, 40], [30, 40]], 0),
     ],
 )
-def test_boxes_of_visits_that_differ_by_a_hundredth_are_the_same(low, high, same):
+def test_boxes_that_differ_by_a_hundredth_are_the_same_area(low, high, same):
     told = compare_visits(two_visits(low=low, high=high))
     assert told["same_ground"] == same
 
 
-def test_main_axes_of_visits_are_compared_by_their_angle():
+def test_main_axes_around_a_retract_are_compared_by_their_angle():
     """An axis is stored as a direction at twice its angle.
 
     The axis is compared with an equal axis, with half its length, and with an axis at a right angle.
@@ -278,15 +278,15 @@ def test_main_axes_of_visits_are_compared_by_their_angle():
         assert compare_visits(two_visits(axis=[1, other]))["axis"] == pytest.approx(differ)
 
 
-def test_visits_in_separate_places_have_no_common_area():
+def test_cuts_in_separate_places_have_no_common_area():
     told = compare_visits(two_visits(low=[[0, 0], [40, 50]], high=[[30, 40], [50, 60]]))
     assert told["overlap"] == told["inside"] == told["same_ground"] == 0
     told = compare_visits(two_visits(low=[[0, 0], [0, 0]], high=[[0, 0], [0, 0]]))
-    # All holes of both visits are in one place.
+    # All holes before and after the retract are in one place.
     assert told["overlap"] == told["inside"] == told["same_ground"] == 1 and told["size"] == 0
 
 
-def test_area_cut_again_is_found_among_the_last_eight_visits():
+def test_area_cut_again_after_at_most_eight_retracts_is_found():
     """After ten squares of 10 mm side by side, half of a square is cut again, at the same depth, higher or lower."""
     low = np.array([[20.0 * k, 0.0] for k in range(10)])
     for back, place in ((1, 9), (8, 2), (9, 1)):
@@ -300,7 +300,7 @@ def test_area_cut_again_is_found_among_the_last_eight_visits():
                 bottom=np.append(np.full(10, -1.0), z),
             )
             found = compare_visits(visits)
-            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # A visit nine visits back is not compared.
+            half = (5.05 * 10.05) / 10.05**2 * (back <= 8)  # Cuts that end nine retracts earlier are not compared.
             last = found["again"][-1], found["again_above"][-1]
             assert last == pytest.approx((again * half, above * half)), (back, z)
             assert not found["again"][:-1].any() and not found["again_above"][:-1].any()
@@ -327,7 +327,8 @@ def test_contour_around_rows_finishes_their_walls():
 
     at = [len(linearize(rows))]
     assert borders(contour(-1.0), 0.4) == []
-    assert borders(contour(-1.0), 0.6) == at  # The retract divides by its own probability.
+    # The retract is a border of operations, because its own probability is above the limit.
+    assert borders(contour(-1.0), 0.6) == at
     assert borders(contour(-2.0), 0.4) == at  # The contour is deeper.
     assert borders(contour(-1.0, out=9.0), 0.4) == at  # The contour is around another area.
 
@@ -362,8 +363,11 @@ def test_doubtful_retract_divides_by_strategies_or_probability():
     assert [dividing_retracts(Sections(path, TOOL), [], {at: share}) for share in (0.28, 0.32)] == [[], [at]]
 
 
-def test_descent_from_the_top_is_not_a_retract():
-    """The first visit begins with a ramp from the retract height. A lift of 3 mm after the ramp is not a new visit."""
+def test_ramp_down_from_the_retract_height_is_not_a_retract():
+    """The first visit begins with a ramp from the retract height.
+
+    A lift of 3 mm after the ramp does not end the visit.
+    """
     path = linearize([
         ("G0", {"X": 0.0, "Y": 0.0, "Z": 9.0}), ("G1", {"X": 30.0, "Z": -1.0, "F": 10.0}), ("G0", {"Z": 2.0}),
         ("G0", {"X": 40.0}), ("G1", {"Z": -1.0, "F": 10.0}), ("G1", {"X": 60.0, "F": 10.0}), ("G0", {"Z": 9.0}),
@@ -372,7 +376,7 @@ def test_descent_from_the_top_is_not_a_retract():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_series_measure_is_share_of_equal_neighbouring_visits():
+def test_series_measure_is_the_share_of_equal_retracts_around():
     tops = [0, 0, 5, 9, 9]  # Neighbouring heights are equal, different, different, equal.
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     found = compare_visits(replace(visits, top=np.array(tops, float)))
@@ -380,8 +384,8 @@ def test_series_measure_is_share_of_equal_neighbouring_visits():
     assert found["series_same_top"].tolist() == [0, 0.5, 0.5, 0]
 
 
-def test_measures_of_one_visit_match_hand_calculation():
-    """The first visit consists of a square and a deeper, faster line, the second visit of a line back and a hole."""
+def test_measures_of_cuts_between_two_retracts_are_exact():
+    """Before the retract, the tool cuts a square and a deeper, faster line; after it, a line back and a hole."""
 
     def lines(*points, z, feed):
         yield "G1", {"Z": z, "F": feed}

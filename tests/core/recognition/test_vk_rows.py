@@ -139,7 +139,7 @@ def test_rows_of_a_grid_may_lean_to_both_sides_of_the_axis():
 
 
 def test_few_moves_across_the_rows_are_not_a_family_of_rows():
-    """A second family of rows is searched only if enough length remains, and kept only if it is long enough."""
+    """A second family of rows is searched only if enough length remains, and kept only if its rows are long enough."""
     across = [[(0.0, 3.0 * row, 0.0), (50.0, 3.0 * row, 0.0)] for row in range(12)]
     for count, families in ((0, 1), (1, 1), (2, 2), (13, 2)):
         down = [[(4.0 * row, 0.0, 0.0), (4.0 * row, 33.0, 0.0)] for row in range(count)]

@@ -47,7 +47,7 @@ def letters(count, z=0.0):
 
 
 def carved(y, rises=8.0):
-    """Return a stroke of 160 mm for a V-bit: a level groove that rises where it ends in a corner."""
+    """Return a stroke of 160 mm for a V-bit: a level groove that rises at its end, in a corner."""
     return [(500, y, -4.0), (600, y + 3, -4.0), (660 - rises, y, -4.0), (660, y + rises, -4.0 + rises / 2)]
 
 

@@ -104,7 +104,7 @@ def test_rings_of_two_shapes_are_rings_if_no_rows_are_found():
 
 
 @pytest.mark.parametrize("degrees, lattice", [(60, False), (75, True)])
-def test_winding_turn_with_reversals_may_be_rows(degrees, lattice):
+def test_spiral_turn_with_reversals_counts_as_rows(degrees, lattice):
     """Two bends aside and back turn by four times 60 degrees (2/3 of a turn), or 75 degrees (5/6)."""
     found = section(square_spiral(3, jogs(2, degrees), grows=12.0))
     assert found.rings.winding[0] and found.lattice[0] == lattice
@@ -192,7 +192,7 @@ def polygon_spiral(corners):
 
 
 @pytest.mark.parametrize("corners, share", [(4, 1.0), (11, 1.0), (13, 0.0), (36, 0.0)])
-def test_corners_of_a_winding_turn_by_more_than_30_degrees(corners, share):
+def test_corners_of_a_spiral_turn_by_more_than_30_degrees(corners, share):
     assert section(*polygon_spiral(corners)).cornered() == share
 
 
@@ -203,7 +203,7 @@ def test_half_of_the_turning_of_rounded_squares_is_in_corners():
     assert found.cornered() == pytest.approx(0.5, abs=0.05)
 
 
-def test_section_without_windings_has_no_corners():
+def test_section_without_spirals_has_no_corners():
     assert section(polygon(40), polygon(36)).cornered() == 0.0
 
 

@@ -17,7 +17,10 @@ def areas(*strokes):
 
 
 def square(out=None, side=40.0, z=0.0, closed=True, turned=0.0):
-    """Return a square that begins in the middle of a side. `out` is the length of a spur from one corner."""
+    """Return a square that begins in the middle of a side.
+
+    `out` is the length of a detour out and back from one corner.
+    """
     half = side / 2
     points = [(0.0, 0.0, z), (half, 0.0, z)]
     if out:
@@ -67,7 +70,7 @@ def test_long_detour_is_not_a_corner_relief(near):
 
 @pytest.mark.parametrize("ahead", [True, False], ids=["along the side before", "along the side behind"])
 def test_removing_a_spur_along_a_side_leaves_no_reversal(ahead):
-    """The spur continues a side, the move back reverses the spur, and the path leaves the corner by a quarter turn."""
+    """The detour continues a side, returns on the same line, and the path leaves the corner by a quarter turn."""
     tip = (23, 0, 0) if ahead else (20, 3, 0)
     moves = areas([(0, 0, 0), (20, 0, 0), tip, (20, 0, 0), (20, 40, 0), (-20, 40, 0), (-20, 0, 0), (0, 0, 0)])
     kept = without_spurs(moves)

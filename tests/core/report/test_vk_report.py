@@ -119,7 +119,7 @@ def test_job_facts_need_all_cutting_operations():
 
 
 def test_verdict_on_a_job_is_in_table_and_files(tmp_path):
-    """An operation that was left out does not prevent the verdict, because the verdict names it."""
+    """An operation that was left out does not prevent the verdict on the job, which names the operation."""
     told = report(operation("One"), operation("Two"))
     one = SimulationFacts(
         (("One", None),), None, (("Doc", "One"),), ("",), {}, left_out=(("Doc", "Two"),), valid_for="x"

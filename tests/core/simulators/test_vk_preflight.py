@@ -100,7 +100,8 @@ def test_long_ramp_is_cut_at_the_wrong_depth():
     assert found.code == "legacy-ramp" and found.command == 1
     # The ramp falls 5 mm over 60 mm with a tool of 8 mm, so it is cut 5 * (60 / 8 - 1) = 32.5 mm too deep.
     assert "32 mm too deep" in found.message or "33 mm too deep" in found.message
-    # The caution names the ramp with the largest error of several ramps. Its text numbers commands from one.
+    # The caution names the ramp with the largest error of several ramps. The text of the caution numbers commands from
+    # one.
     (found,) = check([*commands, ("G1", {"X": 0.0, "Z": 25.0})], diameter=8.0)
     assert (found.what.arguments["count"], found.what.arguments["command"], found.command) == (2, 3, 1)
     assert "too high" in found.message

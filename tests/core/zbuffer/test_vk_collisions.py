@@ -114,7 +114,7 @@ def test_shank_wider_than_flutes_collides_in_a_plunge():
 
 @pytest.mark.long
 def test_shank_hits_a_ridge_before_the_flutes():
-    """The tool removes the ridge in the same move, but the shank is ahead of it."""
+    """The tool removes the ridge in the same move, but the shank reaches the ridge before the flutes."""
     wide = Tool("endmill", 10, cutting_edge_height=50, length=80, shank_diameter=10)
     beside = through((-10, 12, 20), (75, 12, 20), (75, 28, 20), (-10, 28, 20))
     along = through((-10, 20, 25), (75, 20, 25))

@@ -75,7 +75,10 @@ def test_rapid_that_more_than_touches_a_slot_wall_is_a_crash(aside, crashed):
 
 
 def test_rapids_in_a_cleared_pocket_are_not_crashes():
-    """Sixty rapids on the cleared floor of a pocket are not crashes. Then the end of one rapid is lowered by 0.1 mm."""
+    """Sixty rapids on the cleared floor of a pocket are not crashes.
+
+    If the end of one rapid is lowered by 0.1 mm, there are crashes.
+    """
     rng = np.random.default_rng(4)
     rows = [(x, y, 15) for k, y in enumerate(np.arange(10, 70, 4.0)) for x in ((10, 90) if k % 2 == 0 else (90, 10))]
     links = [(*point, 15.0) for point in rng.uniform((14, 14), (86, 62), (60, 2))]

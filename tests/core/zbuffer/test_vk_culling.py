@@ -202,7 +202,7 @@ def test_uncut_or_invisible_quarters_of_tiles_are_dropped():
 def test_trajectory_above_an_open_slot_is_culled(heights, cut):
     """Trajectories 0 and 2 are slots, and trajectory 1 is the link.
 
-    The second slot removes material only if it is deeper.
+    The second slot removes material only if it is deeper than the first slot.
     """
     trajectories = of_slots(*heights)
     found, tested = [], 0

@@ -175,7 +175,7 @@ def test_sampled_tiles_represent_the_total_cost_of_all_tiles():
 
 
 def test_chance_of_drawing_a_tile_is_at_most_one():
-    """With 3 draws, the chance of the first tile would be 3 * 8 / 12 = 2, so it is 1.
+    """With 3 draws, the chance of the first tile would be 3 * 8 / 12 = 2, so the chance is limited to 1.
 
     The other 2 draws give 2 * 2 / 4 = 1 and 2 * 1 / 4.
     """
@@ -215,7 +215,7 @@ def test_cost_of_crowded_tiles_is_estimated(monkeypatch):
 
 
 @pytest.mark.parametrize("looked_at, count", [(2_000_000, 63), (120, 40), (0, 24)])
-def test_sampled_first_tiles_represent_all_tiles(looked_at, count, monkeypatch):
+def test_sample_of_the_largest_tiles_represents_all_tiles(looked_at, count, monkeypatch):
     """The image has 9 x 7 tiles and two trajectories.
 
     The sample contains all 63 tiles, or 120 / (2 + 1) tiles, or the minimum of 24 tiles.

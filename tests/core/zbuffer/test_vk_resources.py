@@ -314,8 +314,8 @@ def test_estimated_work_of_a_job_includes_all_operations(direction):
 def test_estimated_work_equals_the_work_of_the_simulator(names, direction, monkeypatch):
     """The estimate uses a few tiles.
 
-    The test compares the number of tested pairs of a tile or pixel and a trajectory. It also compares the number of
-    batches, which are calls of the simulator for pairs of one kind.
+    The test compares the number of tested pairs of a tile or pixel and a trajectory. The test also compares the number
+    of batches, which are calls of the simulator for pairs of one kind.
     """
     worked = []
     divided = Trajectories.by_kind

@@ -47,7 +47,7 @@ def test_sweep_is_continuous_where_ray_touches_cone_rim():
 
 
 def some_moves(seed):
-    """Return starts and moves (3, RAYS): a fifth level, a fifth vertical (upwards), a fifth steep, the rest random."""
+    """Return starts and moves (3, RAYS): one fifth each horizontal, vertical (upwards) and steep, the rest random."""
     start, move = np.random.default_rng(seed).uniform(-4, 4, (2, 3, RAYS))
     move[2, ::5] = move[:2, 1::5] = 0
     move[2, 1::5] = np.abs(move[2, 1::5])

@@ -71,7 +71,7 @@ def test_grown_tool_contains_tool_and_shrunk_one_is_inside(tool, angle, level):
     if not level or abs(direction[2]) > 0.3 * np.linalg.norm(direction)
 ])  # fmt: skip
 def test_tile_depths_contain_stock_of_all_rays(direction, level):
-    """Depths from a level plane grow with the position of a ray in the image, by the shear."""
+    """If depths are measured from a horizontal plane, they grow with the position of a ray in the image (shear)."""
     frame = View(direction, 40, 30).frame(BOX)
     sine, cosine = hypot(*frame.direction[:2]), -frame.direction[2]
     shear = sine / cosine if level else 0.0

@@ -81,7 +81,7 @@ LEVEL = 4
 
 
 def swept(move, frame):
-    """Return image coordinates of a flat end's rim along its move, and of points above it at the block's top."""
+    """Return image coordinates of points on the edge of a moving flat end, and of points above at the block's top."""
     angle = np.linspace(0, 2 * pi, 361)
     rim = 3 * np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
     start, end = np.array(move, float)

@@ -294,7 +294,7 @@ def test_impossible_stocks_and_views_are_refused_with_a_reason():
 @pytest.mark.parametrize("direction", VIEWS.values())
 @pytest.mark.parametrize("shape", ["vbit", "drill"])
 def test_tip_of_180_degrees_equals_a_flat_end(direction, shape):
-    """If rounding kept a cone, it would cut too little where rays touch it."""
+    """If rounding kept a cone, the tool would cut too little where rays touch the cone."""
     points = [(5, 5, 12), (5, 5, 6), (30, 20, 6), (35, 10, 4), (10, 25, 4)]
     solids = {"stock": STOCK, "view": View(direction, 60, 45)}
     tip, flat = (

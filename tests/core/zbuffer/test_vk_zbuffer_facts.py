@@ -183,7 +183,7 @@ def test_trajectory_table_has_a_row_for_each_trajectory():
 
 
 def test_place_of_a_crash_is_its_deepest_place():
-    """Half of the block is 2 mm lower. Then a rapid cuts 5 mm deep through the whole block."""
+    """Half of the block is 2 mm lower. After that, a rapid cuts 5 mm deep through the whole block."""
     rows = [(x, y, 8) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 17) if k % 2 == 0 else (17, -5))]
     points = [*rows, (rows[-1][0], 30, 20), (-5, 15, 20), (-5, 15, 5), (45, 15, 5)]
     (crash,) = crashes(cut(points, rapid=[len(points) - 2]))
@@ -373,7 +373,7 @@ def test_cone_plunging_beside_an_edge_is_not_in_full_material():
 def test_each_plunge_is_judged_by_its_own_tool():
     """An end mill has less than half of its area over the stock.
 
-    A cone displaces less, but all of it is over the stock.
+    A cone displaces a smaller volume, but the whole cone is over the stock.
     """
     points = np.array([(-0.4, 15, 12), (-0.4, 15, 7)], float)
     path = replace(toolpath(points), feed=np.full(1, 6.0))

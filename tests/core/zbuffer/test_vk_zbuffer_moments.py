@@ -43,7 +43,7 @@ def test_part_and_chips_are_exactly_the_stock_at_every_moment(seed):
 
 
 @pytest.mark.parametrize("seed", range(len(DIRECTIONS)))
-def test_the_picture_is_the_first_dexel_of_every_ray(seed):
+def test_picture_shows_the_first_dexel_of_every_ray(seed):
     z, rng = simulated(seed)
     for step in (*rng.integers(0, z.trajectories + 1, 12), *range(5), *reversed(range(5)), z.trajectories):
         now = z.at(int(step))
@@ -66,7 +66,7 @@ def expected(z):
 
 
 @pytest.mark.parametrize("seed", range(0, len(DIRECTIONS), 2))
-def test_chips_show_first_removed_pieces(seed):
+def test_picture_of_chips_shows_the_first_removed_material(seed):
     z, rng = simulated(seed)
     first, end = sorted(rng.integers(0, z.trajectories + 1, 2).tolist())
     chips = z.chips(first, end)
