@@ -25,7 +25,7 @@ def test_each_name_of_core_comes_from_its_module():
         _ = core.Typo
 
 
-def test_no_module_of_core_has_a_public_name():
+def test_modules_of_core_are_named_differently_than_public_names():
     assert not {module.name for module in pkgutil.iter_modules(core.__path__)} & set(core.__all__)
 
 

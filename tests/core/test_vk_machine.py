@@ -93,7 +93,7 @@ def test_short_lookahead_slows_tiny_moves():
     assert total(tiny) < total(tiny, machine=few) / 3
 
 
-def test_factor_multiplies_the_time():
+def test_factor_of_the_machine_multiplies_the_time():
     taught = Machine(MACHINE.rates, MACHINE.accelerations, 0.01, factor=1.5)
     assert total([(0, 0, 0), (9, 0, 0)], machine=taught) == pytest.approx(1.5 * total([(0, 0, 0), (9, 0, 0)]))
 
@@ -168,7 +168,7 @@ ok
 """
 
 
-def test_settings_of_grbl_are_read():
+def test_machine_settings_printed_by_grbl_are_read():
     machine = machine_of_grbl(SETTINGS, MACHINES["hobby-router"])
     assert machine.rates == (50.0, 40.0, 10.0) and machine.deviation == 0.02
     assert machine.accelerations == (300.0, 250.0, 100.0) and machine.lookahead == 15

@@ -17,7 +17,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 OLDEST = (3, 8)
 FILES = sorted([ROOT / "Init.py", ROOT / "InitGui.py", *(ROOT / "vkworkbench").rglob("*.py")])
-# Names that came with later versions: methods of text, functions of the standard library, and arguments.
+# Names that newer Python versions added: methods of str, functions of the standard library, and arguments.
 LATER = {"pairwise", "batched", "bit_count", "hardlink_to", "TaskGroup", "StrEnum", "ExceptionGroup", "add_note", "kw_only", "slots",
          "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
 

@@ -178,10 +178,10 @@ def test_solids_are_equal_only_if_all_numbers_are_exactly_equal():
 
 
 @pytest.mark.parametrize("count", [0, 1, 500])
-def test_distinct_rows_equal_those_of_numpy(count):
+def test_distinct_rows_of_an_array_equal_those_of_numpy(count):
     rows = np.random.default_rng(3).integers(-2, 3, (count, 3))
     first, number = _distinct(rows)
-    if count == 0:  # Numpy 1.17 fails for an empty array.
+    if count == 0:  # The function np.unique of numpy 1.17 fails for an empty array.
         assert first.tolist() == number.tolist() == []
         return
     _, its_first, its_number = np.unique(rows, axis=0, return_index=True, return_inverse=True)

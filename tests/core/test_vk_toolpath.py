@@ -73,7 +73,7 @@ def test_problem_that_hides_cuts_is_divided_by_operations():
     assert not Problem(3, Message("word-not-read", letter="U")).hides_cuts
 
 
-def test_wrong_type_of_toolpath_raises_with_a_sentence():
+def test_toolpath_argument_of_wrong_type_has_a_clear_error():
     commands, tool = [("G1", {"X": 0.0}), ("G1", {"X": 5.0})], Tool("endmill", 6)
     stock, view = Stock((0, 0, 0), (9, 9, 9)), View(width=8, height=6)
     for use in (

@@ -53,7 +53,7 @@ def test_line_without_a_name_continues_a_rapid():
     assert ends(toolpath) == [[2, 0, 0], [2, 1, 0]] and toolpath.rapid.all() and not toolpath.problems
 
 
-def test_command_names_that_are_words_are_read():
+def test_line_numbers_and_axis_words_as_command_names_are_read():
     toolpath = path(
         START,
         ("N10", {"G": 1.0, "X": 1.0}),
@@ -286,7 +286,8 @@ def test_other_canned_cycles_reach_their_depth_once(name):
 )
 def test_tap_feed_is_pitch_times_speed(code, words, feed):
     tapped = linearize([("G0", {"X": 10, "Y": 5, "Z": 10}), (code, {"X": 10, "Y": 5, "Z": 0, "R": 4, **words})])
-    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])  # One feed move goes in, the other goes out.
+    # One feed move goes into the hole, the other goes out.
+    assert tapped.feed[~tapped.rapid] == pytest.approx([feed, feed])
 
 
 @pytest.mark.parametrize("feed", [-3.0, 0.0, 1e-7, float("nan"), float("inf")])
@@ -375,7 +376,7 @@ def test_tolerance_must_be_positive(tolerance):
         linearize([], tolerance=tolerance)
 
 
-def test_too_many_chords_are_refused():
+def test_tolerance_that_needs_too_many_chords_is_refused():
     circles = [("G0", {"X": 0, "Y": 0, "Z": 0})] + [("G2", {"I": 9000.0, "J": 0.0})] * 5000
     with pytest.raises(ValueError, match="larger tolerance"):
         linearize(circles, tolerance=1e-4)
@@ -486,13 +487,13 @@ def test_machine_position_in_x_and_y_is_ignored_with_a_remark():
     for away in ([("G53", {}), ("G0", {"X": 7, "Y": 9})], [("G28", {"X": 0})], [("G53", {}), ("G53", {"Y": 3})]):
         path = linearize([*begin, *away])
         assert path.points.tolist() == [[0, 0, 5], [0, 0, -5]] and not path.problems
-        assert not linearize(away).problems  # A program without other moves has no remark.
+        assert not linearize(away).problems  # A program whose only moves are to machine positions has no remark.
         path = linearize([*begin, *away, ("G1", {"X": 4})])
         assert path.points[1:].tolist() == [[0, 0, -5], [4, 0, -5]]
         assert [problem.what.code for problem in path.problems] == ["machine-position"]
 
 
-def test_machine_height_follows_relative_moves():
+def test_machine_height_is_known_after_relative_moves():
     path = linearize(
         [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G1", {"Z": -6, "F": 1}), ("G28", {"Z": 0}), ("G1", {"X": 9})]
     )

@@ -80,7 +80,7 @@ def test_inches_scale_lengths_and_feeds_only():
     ],
 )  # fmt: skip
 @pytest.mark.parametrize("inches", [False, True])
-def test_arcs_pass_the_expected_point(arc, expected, inches):
+def test_arcs_of_a_program_pass_through_the_expected_point(arc, expected, inches):
     unit = 25.4 if inches else 1.0
     path = read_program(f"{'G20' if inches else 'G21'}\nG0 X0 Y0 Z0\nF100\n{arc}").toolpath(tolerance=1e-3 * unit)
     expected = np.array(expected) * unit
@@ -383,7 +383,7 @@ def test_tool_length_in_g43_axis_words_moves_nothing():
 
 
 @pytest.mark.parametrize("line", ["G70 I40. J0 L8", "G71 I4. J0 K5. L8", "G72 I4. J45 L8", "G71 Z1."])
-def test_hole_patterns_do_not_set_the_unit(line):
+def test_hole_pattern_codes_g70_and_g71_do_not_set_the_unit(line):
     program = read_program("G0 X0 Y0 Z5\nG81 Z-1 R1 F60 L0\n" + line + "\nX10\nG80\n")
     assert not program.unit_told and program.toolpath().points.max() == 10
 

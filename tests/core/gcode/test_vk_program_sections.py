@@ -377,7 +377,7 @@ def test_unnumbered_tool_list_describes_later_tools():
 def test_tool_size_in_the_comment_after_its_heading_is_read():
     """pcb-gcode writes "Tool Size" before the number.
 
-    This description is the tool, but not the title of an operation.
+    This comment describes the tool, and is not the title of an operation.
     """
     assert sections(f"(  Tool Size)\n(0.1778 )\n(spindle speed = 12000)\n{CUT}") == [("", None, 0.1778)]
     assert sections(f"(0.1778)\n{CUT}") == [("", None, None)]

@@ -64,7 +64,7 @@ def test_fast_or_large_toolpath_does_not_look_like_inches():
         ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import stores mm/min as mm/s.
     ],
 )  # fmt: skip
-def test_size_and_feed_limits_decide_about_inches(changed, imported, said):
+def test_limits_of_size_and_feed_decide_if_a_path_is_in_inches(changed, imported, said):
     toolpath = zigzag(**{"width": 10.0, "rows": 4, "step": 0.5, "depth": -0.5, "lift": 2.0, "feed": 1.0, **changed})
     assert looks_like_inches(toolpath, imported=imported) == said
 

@@ -71,7 +71,7 @@ def test_theta_range_begins_with_the_first_direction():
     assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
 
 
-def test_small_turn_of_v_k_back_and_forth_has_no_sense():
+def test_direction_of_v_k_that_swings_back_has_no_sense():
     found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
     assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))
 

@@ -40,7 +40,7 @@ def told(tmp_path):
 
 
 def test_all_operations_together_may_exceed_the_travel(told):
-    """Each operation alone would be within the travel."""
+    """Each operation alone stays within the machine's travel."""
     assert told(x=310) == [["The job moves 310.5 mm along X, but the travel of the machine is 310 mm."], []]
 
 

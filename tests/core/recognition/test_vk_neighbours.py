@@ -30,7 +30,7 @@ def line(y, x=0.0, length=50.0, z=0.0, slant=0.0):
     return [(x, y, z), (x + length, y + slant, z)]
 
 
-def test_step_of_offsets_around_a_corner_is_their_distance():
+def test_step_between_offsets_around_a_corner_is_their_distance():
     found = neighbours([corner(2.0 * k) for k in range(6)])
     assert (found.count, found.share, found.even, found.onward) == pytest.approx((6, 1, 1, 1))
     assert found.step == pytest.approx(2.0, abs=0.05)
@@ -63,7 +63,7 @@ def test_neighbours_are_within_the_reach_of_the_tool(apart, tool, beside):
     assert (found is not None) == beside
 
 
-def test_distant_short_line_is_not_a_neighbour():
+def test_short_line_far_from_a_stroke_is_not_its_neighbour():
     assert neighbours([line(6.0 * k, length=9.0) for k in range(5)], 0.0) is None
     assert neighbours([line(6.0 * k, length=90.0) for k in range(5)], 0.0).count == 5
 
@@ -95,7 +95,7 @@ def test_passes_that_spread_like_a_fan_are_not_even():
 
 
 @pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
-def test_offset_keeps_distance_within_thirty_percent(opens, even):
+def test_distance_of_even_offsets_varies_by_at_most_30_percent(opens, even):
     """The mean distance is 2 mm.
 
     The difference between the 10th and 90th percentile of the distance is 0.8 * `opens`.

@@ -50,7 +50,8 @@ def test_nested_squares_are_half_the_side_difference_apart():
 def test_ring_that_is_not_inside_is_not_an_offset():
     assert distance(20.0, 20.0, aside=1.0) == [0]
     assert distance(20.0, 16.0, aside=3.0) == [0]
-    assert distance(20.0, 16.0, aside=0.5) == [1.5]  # The nearest side gives the distance.
+    # The side with the smallest distance determines the distance of the squares.
+    assert distance(20.0, 16.0, aside=0.5) == [1.5]
 
 
 def open_pocket(*steps, low=(), wide=60.0, tall=40.0, slack=1.0):

@@ -108,7 +108,8 @@ def test_rise_and_drop_of_a_climbing_piece_are_measured():
     assert pieces.flat.tolist() == [False, True]
     falling = pieces_of([(0, 0, 3), (10, 0, 3), (10, 20, -3), (20, 20, -3)])
     assert (falling.rise[0], falling.drop[0]) == pytest.approx((6, -6))
-    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])  # The drop is measured from the first point.
+    # The drop of the piece is measured from its first point.
+    at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])
     assert (at_once.rise[0], at_once.drop[0], at_once.last_z[0]) == pytest.approx((3, -2, 3))
 
 
@@ -147,7 +148,7 @@ def test_zigzag_has_one_pass_per_row_in_any_direction(degrees):
 
 
 def test_links_that_extend_into_the_rows_are_not_passes():
-    """Each link leads 1 mm into the rows and back, while it moves 3 mm to the next row."""
+    """Each link extends 1 mm into the rows and back, and leads 3 mm aside to the next row."""
     ends, stroke = (0.0, 40.0), []
     for row in range(7):
         x = ends[(row + 1) % 2]

@@ -49,7 +49,7 @@ SEEDS = 6
 
 
 @pytest.mark.long
-def test_synthetic_samples_have_their_strategies():
+def test_synthetic_samples_have_their_intended_strategies():
     """At most one toolpath per sample may be wrong, and 5 % of all may be unknown. Each reason names its strategy."""
     wrong, unknown = {}, []
     for label, accepted, make in synthetic.SAMPLES:
@@ -72,7 +72,7 @@ def test_every_strategy_has_a_synthetic_sample():
     assert sampled == {strategy.value for strategy in Strategy if strategy.is_answer}
 
 
-def test_evidence_of_a_zigzag_is_exact():
+def test_numbers_reported_for_a_zigzag_are_exact():
     found = recognize(cut(raster(rows=20, step=2.0)))
     assert found.strategy is Strategy.ZIGZAG
     assert (found.level, found.passes, found.depths, found.reversals) == (0, 20, 1, 0)
@@ -83,7 +83,7 @@ def test_evidence_of_a_zigzag_is_exact():
     assert "20 rows" in found.reason and "2 mm apart" in found.reason
 
 
-def test_evidence_of_nested_offsets_is_exact():
+def test_numbers_reported_for_nested_offsets_are_exact():
     found = recognize(cut(rings(6, step=3.0)), tool_diameter=6.0)
     assert found.strategy is Strategy.CONTOUR_PARALLEL
     assert found.level >= 5 and found.closed_loops == 6 and found.passes == 6
@@ -183,7 +183,7 @@ def test_strategy_does_not_depend_on_direction_or_position(make, angle):
     st.lists(st.booleans(), min_size=60, max_size=60),
     st.sampled_from([None, 0.0, 2.0]),
 )
-def test_random_toolpaths_raise_no_exception(points, fast, tool):
+def test_recognition_of_random_toolpaths_raises_no_exception(points, fast, tool):
     points = np.array(points, float)
     keep = np.concatenate([[True], (points[1:] != points[:-1]).any(axis=1)])
     path = cut(points[keep], rapid=[i for i in range(keep.sum() - 1) if fast[i]])

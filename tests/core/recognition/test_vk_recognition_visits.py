@@ -234,7 +234,7 @@ def test_measures_of_two_stretches_between_retracts_are_exact():
     assert told == pytest.approx(expected)
     # If the two visits are swapped, only the measures of the visit that is higher change.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
-    # The share refers to the area of the second visit.
+    # The value is the common area as a share of the area that is cut after the retract.
     expected.update({"again": shared / one, "again_above": shared / one})
     found = compare_visits(backwards(two_visits()))
     assert {name: found[name].item() for name in expected} == pytest.approx(expected)

@@ -275,7 +275,7 @@ def test_many_close_rows_fill_an_area_except_down_a_wall():
 
 
 @pytest.mark.parametrize("period, good", [(3.0, True), (7.1, True), (7.3, False)])
-def test_filling_rows_may_skip_one_row(period, good):
+def test_rows_fill_an_area_if_only_their_step_exceeds_the_tool(period, good):
     assert fills(step=8.0, period=period) is good
 
 

@@ -126,7 +126,10 @@ def test_rows_with_less_than_a_tenth_of_the_length_are_links(length, families):
 
 
 def test_ramp_back_and_forth_on_one_line_is_not_a_zigzag():
-    """A ramp runs four times along a line of 50 mm. Away from the ramp are four rows with links, 60 + 9 mm long."""
+    """A ramp runs four times along a line of 50 mm.
+
+    Away from the ramp, there are four rows (60 mm in total) with links (9 mm).
+    """
     ramp = [(0, 0, 0), (30, 40, -1), (0, 0, -2), (30, 40, -3), (0, 0, -4)]
     found = section(ramp, rows(4, length=15.0, y=-60))
     assert found.retraced == pytest.approx(200 / 269) and found.zigzag == pytest.approx(69 / 269)
@@ -221,7 +224,10 @@ def test_spiral_with_a_bend_of_27_degrees_in_a_turn_steps_aside(degrees, length,
 
 
 def test_bend_in_small_steps_counts_as_one_bend():
-    """Each of five bends has 7 degrees on 0.3 mm, which rounding could cause. One bend of 35 degrees turns back."""
+    """Each of five bends has 7 degrees on 0.3 mm, so small that rounding could cause the bend.
+
+    One bend of 35 degrees turns back.
+    """
 
     def side(whole):
         return [(90, whole / 2), *[(-7, 0.3)] * 5, (35, whole / 2)]

@@ -35,7 +35,7 @@ WORK = Work(
 )  # fmt: skip
 
 
-def test_amounts_of_work_match_hand_count():
+def test_numbers_of_steps_of_a_simulation_match_hand_count():
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts()
     assert (trajectories, pixels, first) == (10, 1000, 50)
     assert tests == pytest.approx(4 * (1e5 * TESTS[0] + 4e5 * TESTS[3]))
@@ -106,7 +106,7 @@ def test_cut_cells_without_tile_counts_grow_like_the_pixels():
 
 
 def test_kinds_of_tile_and_trajectory_pairs_are_numbered_0_to_15():
-    """The number of the kind depends on the tool, on the move (level or sloped) and on the view."""
+    """The number of the kind depends on the tool, the move (horizontal or sloped) and the view (vertical or oblique)."""
     tools = [FLAT, Tool("vbit", 6, tip_angle=pi / 2), Tool("ballend", 6), Tool("bullnose", 6, corner_radius=1)]
     found = [
         effort._kind_number(Kind(tool, level), upright)

@@ -181,7 +181,7 @@ def areas(mesh, view):
 
 
 def test_area_of_a_mesh_in_the_image_is_exact():
-    """A block covers a rectangle, or three sides from a corner.
+    """A block shows one side, or three sides if the view is towards a corner.
 
     The areas of two blocks, one behind the other, are added, and rays have a gap between the blocks.
     """
