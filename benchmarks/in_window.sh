@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Run a benchmark in the windows of the FreeCADs that tests/run.sh has installed, each with a home of its own.
+# Run a benchmark in the windows of the FreeCADs that tests/run.sh has installed, each with its own home folder.
 #
 #     benchmarks/in_window.sh NAME [0.20.2|1.0.0|1.1.3]
 #
-# NAME is that of a file in benchmarks/ without its .py: pauses, simulation_tab, ... The first run also compiles the add-on,
-# as a user's first start of it does.
+# NAME is the name of a file in benchmarks/ without .py, for example pauses. As on a user's first start, Python compiles the
+# add-on during the first run.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -36,7 +36,7 @@ cache=${VKWORKBENCH_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vkworkbench}
 own=$(. /etc/os-release && echo "${VERSION_CODENAME-}")
 mkdir -p build
 for suite in $suites; do
-    # What FreeCAD itself complains of goes into the log.
+    # FreeCAD's own messages go into the log.
     if [ "$suite" = "$own" ]; then
         benchmarks/in_window.sh "$1" here
     else

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Build the example job in FreeCAD, analyse it and mark its operations, after installing what is missing (root or sudo).
-# Prints the table, leaves the marked document and a picture of the tree in build/example. FreeCAD opens on the job
-# where there is a display, with the add-on loaded and settings of its own.
+# Install the missing packages (needs root or sudo), build the example job in FreeCAD, and analyse and mark its operations.
+# The script prints the table, and writes the marked document and a picture of the tree to build/example. With a display,
+# the script opens the job in FreeCAD, with the add-on and with separate settings.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 output=$PWD/build/example
 rm -rf "$output"
 mkdir -p "$output"
-echo "Preparing FreeCAD; installing it, where it is missing, takes some minutes"
+echo "Preparing FreeCAD. If FreeCAD is missing, installing it takes some minutes"
 tests/install.sh > "$output/install.log" 2>&1 || { tail "$output/install.log"; exit 1; }
 
 home=$(mktemp -d)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Collect the texts of the code and the form in the translations' sources, and compile what is translated.
-# Takes Qt 6's lupdate and lrelease (Debian: qt6-l10n-tools). Translate between two runs: with Qt Linguist, or by hand.
+# Collect the texts of the code and of the form in the .ts files, and compile the translations in these files.
+# The script needs lupdate and lrelease of Qt 6 (Debian: qt6-l10n-tools). To translate new texts, run the script, fill in
+# the .ts files with Qt Linguist or an editor, and run the script again.
 set -euo pipefail
 
 cd "$(dirname "$0")/translations"

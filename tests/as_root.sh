@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# as_root.sh COMMAND...: run COMMAND as root; where that cannot be, one line says so.
+# as_root.sh COMMAND...: run COMMAND as root, or print one line if neither root nor sudo is available.
 set -euo pipefail
 
 [ "$(id -u)" = 0 ] && exec "$@"

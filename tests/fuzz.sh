@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Random programs, documents and clicks on the FreeCADs that tests/run.sh has installed; exits with 1 where one failed.
+# Try random programs, documents and clicks in the FreeCADs that tests/run.sh has installed. Exit with 1 if one failed.
 #
 #     tests/fuzz.sh [0.20.2|1.0.0|1.1.3] [--seed N] [--minutes M] [--sessions S] [programs|documents|window]
 #
-# Programs through the core in all seven views; documents, marks, settings and calibration without a window; the same in
-# a window with panel, pills, Gauss map, strategies and the simulation. Each takes M minutes (10). A failure prints its
-# seed: run it again with `--seed N --sessions 1`. The logs are in build/fuzz.
+# "programs" analyses random NC programs in the core, in all seven views. "documents" changes random documents, marks,
+# settings and calibrations without a window. "window" also uses the panel, pills, Gauss map, strategies and simulation.
+# Each of the three takes M minutes, by default 10. A failure prints its seed N; `--seed N --sessions 1` repeats only this
+# failure. The logs are in build/fuzz.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -21,7 +22,7 @@ while [ $# -gt 0 ]; do
         --sessions) sessions=$2 && shift ;;
         programs | documents | window) layers=$1 ;;
         here) here=$2 && shift ;;
-        *) sed -n '3,10s/^# \?//p' "$0" && exit 2 ;;
+        *) sed -n '3,11s/^# \?//p' "$0" && exit 2 ;;
     esac
     shift
 done
@@ -63,7 +64,7 @@ for layer in $layers; do
         PYTHONDONTWRITEBYTECODE=1 QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \
         VKWORKBENCH_FUZZ="$seed $minutes $sessions" VKWORKBENCH_FUZZ_LOG="$log" "${command[@]}" \
         < /dev/null > "$log" 2>&1 || ended=$?
-    # freecadcmd ends with 0 whatever happens: the line that closes a run says that there was one.
+    # freecadcmd always exits with 0, so only the last line of the log shows that the run was completed.
     if [ "$ended" != 0 ] || ! tail -n 1 "$log" | grep -qa ' failed$\|^peak memory'; then
         status=1
         echo "$layer failed, see $log"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# in_root.sh ROOT USER COMMAND...: run COMMAND in this checkout as USER (uid:gid), but in the Debian root ROOT. Needs root.
-# The checkout is read-only there but for build/. Processes, mounts and /tmp end with the command; there is no network.
-# Where mounts of one's own are not allowed, as in most containers, COMMAND gets a copy of the checkout, and what it leaves in
-# build/, whose folders are there, is brought back. Exits with 125 where not even that can be done, after one line that says why.
+# in_root.sh ROOT USER COMMAND...: run COMMAND in this checkout as USER (uid:gid), in the Debian root ROOT. Needs root.
+# COMMAND can write only to build/ in the checkout, and has no network. When COMMAND ends, its processes and mounts end, and
+# its /tmp is removed. Most containers allow no mounts. There, COMMAND runs in a copy of the checkout, whose folder build/ is
+# copied back afterwards. If this is not possible either, the script prints the reason in one line and exits with 125.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."

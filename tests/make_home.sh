@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# make_home.sh HOME: make HOME a home folder in which FreeCAD finds this checkout as an add-on and asks no questions.
+# make_home.sh HOME: make HOME a home folder in which FreeCAD finds this checkout as an add-on and opens no dialogs.
 set -euo pipefail
 
 cd "$(dirname "$0")/.."

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# make_root.sh SUITE ROOT: make ROOT a Debian of SUITE with its FreeCAD and what the tests need. Needs root.
-# Does nothing where that is done already, completes what is incomplete, exits non-zero where it cannot.
+# make_root.sh SUITE ROOT: install Debian SUITE in the folder ROOT, with FreeCAD and the packages for the tests. Needs root.
+# If ROOT is complete, the script does nothing. If ROOT is incomplete, the script completes it, or fails.
 set -euo pipefail
 
 suite=$1
@@ -14,7 +14,7 @@ flock 9 # two runs of the tests may want it at the same time
 
 if [ ! -d "$root" ]; then
     rm -rf "$root.new"
-    # debootstrap has a script for each suite; that of sid is also there in a debootstrap older than the suite.
+    # debootstrap needs a script for each suite. A debootstrap that is older than the suite uses the script of sid.
     debootstrap --variant=minbase "$suite" "$root.new" "$mirror" /usr/share/debootstrap/scripts/sid
     # A testing suite's Release file may have expired on a mirror that is not updated.
     echo 'Acquire::Check-Valid-Until "false";' > "$root.new/etc/apt/apt.conf.d/99vkworkbench"

@@ -30,7 +30,7 @@ for addon in "" 1; do
     [ -z "$addon" ] || name=with
     home=$(mktemp -d)
     tests/make_home.sh "$home"
-    # Without the add-on: the same settings, no link to it.
+    # The run without the add-on has the same settings, but no link to the add-on.
     [ -n "$addon" ] || rm "$home"/.local/share/FreeCAD/{,v1-1/}Mod/ToolpathAnalysis
     rm -f "$results/$name.json"
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Run the core, and the document layer on stubs of FreeCAD, on every Python from 3.8 with its oldest and newest numpy.
 #
-#     tests/pythons.sh                                # all of them
-#     tests/pythons.sh 3.8=1.17.5 3.13= -- -k gcode   # some of them, no version of numpy: the newest; pytest's arguments
+#     tests/pythons.sh                                # all environments
+#     tests/pythons.sh 3.8=1.17.5 3.13= -- -k gcode   # two environments (3.13 with the newest numpy), with pytest arguments
 #
 # uv makes the environments in the cache folder. It uses the Pythons of PATH and of pyenv, and downloads others. The last
 # lines name the environments that could not be made, which were not tested.
@@ -25,13 +25,13 @@ fi
 for folder in "${PYENV_ROOT:-$HOME/.pyenv}"/versions/*/bin; do PATH=$folder:$PATH; done
 unset PYTHONPATH
 
-# make PYTHON NUMPY VENV: make an environment, or say in its log why not.
+# make PYTHON NUMPY VENV: make an environment, or write to its log why it could not be made.
 make() {
     "$cache/uv/bin/uv" venv -q --clear --python "$1" "$3" &&
         "$cache/uv/bin/uv" pip install -q --python "$3/bin/python" "numpy${2:+==$2}" pytest pytest-xdist hypothesis
 }
 
-# report: show what failed in the log.
+# report: print the failures in the log.
 report() {
     failed=1
     grep -E '^(FAILED|ERROR)|Error' "$log" | tail -n 20

@@ -13,9 +13,9 @@
 # or `sources` (see pyproject.toml).
 #
 # The FreeCADs come from Debian: one from the machine's own release, the others in roots that are made once, in a few
-# minutes each, in a cache folder. ruff and mypy, the tools, come from PyPI. VKWORKBENCH_SCALE=2 runs the windows as on a
-# screen with twice as fine pixels, and VKWORKBENCH_SCREENSHOTS=yes saves pictures of them. Logs and pictures are in
-# build/tests. The last lines of the output name what could not be tested.
+# minutes each, in a cache folder. The tools ruff and mypy come from PyPI. With VKWORKBENCH_SCALE=2, the windows run as on
+# a screen whose pixels are half as large. With VKWORKBENCH_SCREENSHOTS=yes, the tests save pictures of the windows. Logs
+# and pictures are in build/tests. The last lines of the output name everything that could not be tested.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -47,7 +47,7 @@ cache=${VKWORKBENCH_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/vkworkbench}
 results=build/tests
 user=$(id -u):$(id -g)
 
-# prepare SUITE COMMAND...: run COMMAND, which installs what SUITE needs. If it fails, write down why.
+# prepare SUITE COMMAND...: install the packages for SUITE with COMMAND. If COMMAND fails, write the reason to a file.
 prepare() {
     local folder=$results/$1
     shift
@@ -57,7 +57,7 @@ prepare() {
     return 1
 }
 
-# run SUITE whole|part PYTEST ARGUMENTS...: run the layers on the FreeCAD of SUITE. If there is no way to, write down why.
+# run SUITE whole|part PYTEST ARGUMENTS...: run the layers on the FreeCAD of SUITE, or write to a file why not.
 run() {
     local suite=$1 extent=$2 root=$cache/roots/$1 folder=$results/$1 status=0
     shift 2
@@ -83,13 +83,13 @@ rm -rf "$results"
 [ "$layers" != tools ] || suites=""
 [ -z "$suites" ] || echo "Preparing the FreeCADs of: $suites. One that is missing takes some minutes and 2 GB." \
     "The tests take about 25 minutes on two processors"
-# The machine makes the roots, so it needs the packages even if its own release is not tested.
+# The roots are made with packages of this machine, so the packages are needed even if only the roots are tested.
 [ -z "$suites" ] || prepare "own" tests/install.sh || echo "This machine lacks packages: $(cat "$results/own/not-tested")"
 [ -x /usr/bin/python3 ] || { echo "There is no /usr/bin/python3: nothing was tested"; exit 1; }
 
 running=()
 trap 'for each in "${running[@]}"; do kill -- "-$each" || true; done 2> /dev/null; exit 130' INT TERM
-# start COMMAND...: run COMMAND beside the others, in a process group of its own, which an interruption ends as a whole.
+# start COMMAND...: run COMMAND in the background, in its own process group, so that an interruption ends the whole group.
 start() {
     set -m
     "$@" &

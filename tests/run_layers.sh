@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # run_layers.sh RESULTS LAYERS whole|part PLACE [PYTEST ARGUMENTS]
 #
-# Run the tests of each of LAYERS, in PLACE if that is not empty, with the FreeCAD and Python of this system. "part"
-# leaves out the tests that are marked `long` or `sources`. Writes into the folder RESULTS, for each layer,
-# the log, the JUnit report, the exit status and the seconds that it took; summary.py reads them.
+# Run the tests of each layer in LAYERS with the FreeCAD and Python of this system. If PLACE is not empty, run only the
+# tests in the file or folder PLACE. "part" leaves out the tests that are marked `long` or `sources`. For each layer, write
+# the log, the JUnit report, the exit status and the duration in seconds to the folder RESULTS, for summary.py.
 set -euo pipefail
 
 results=$1
@@ -35,12 +35,12 @@ for layer in $layers; do
         document) command=("${limit[@]}" freecadcmd "$PWD/tests/in_freecad.py") ;;
         gui) command=(xvfb-run -a -s "-screen 0 $((1280 * scale))x$((1024 * scale))x24 -dpi 96 -ac" "${limit[@]}" freecad "$PWD/tests/in_freecad.py") ;;
     esac
-    # pytest captures no output of the FreeCAD layers: their logs have to show the exceptions that FreeCAD swallows.
+    # pytest captures no output of the FreeCAD layers, so that their logs show the exceptions that FreeCAD swallows.
     [ "$layer" = core ] || options+=(-s)
     options+=("$@")
     status=0
     began=$SECONDS
-    # As root, FreeCAD needs its browser's sandbox off; under Xvfb it needs OpenGL in software.
+    # As root, FreeCAD starts only if the sandbox of its browser is off. Under Xvfb, FreeCAD needs OpenGL in software.
     env -i HOME="$home" XDG_RUNTIME_DIR="$home/run" PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
         PYTHONPYCACHEPREFIX="$PWD/build/bytecode/${results##*/}" HYPOTHESIS_STORAGE_DIRECTORY="$home/hypothesis" \
         QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR="$scale" LIBGL_ALWAYS_SOFTWARE=1 QTWEBENGINE_DISABLE_SANDBOX=1 \

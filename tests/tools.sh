@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# tools.sh RESULTS CACHE: run ruff and mypy as pyproject.toml says, and look whether the model of the recognition is what its
-# table gives, from a venv in the folder CACHE that is made once.
-# Leaves in RESULTS, a folder, tools.log and tools.status, or in tools.not-run why they could not be installed.
+# tools.sh RESULTS CACHE: run ruff and mypy with the settings in pyproject.toml, and check that learning again from the table
+# gives the shipped model of the recognition. The tools are installed once, in a virtual environment in the folder CACHE.
+# The script writes tools.log and tools.status to the folder RESULTS. If the tools cannot be installed, it writes the
+# reason to tools.not-run.
 set -euo pipefail
 
 results=$1
