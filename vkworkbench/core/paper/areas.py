@@ -130,12 +130,15 @@ class Areas(Moves):
 
     @cached_property
     def signed_extremes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Lowest and highest phi of each area, with the chosen signs of half turns, no closing turns, (a,) rad each."""
+        """Lowest and highest phi of each area, with the chosen signs of half turns, (a,) rad each.
+
+        The turn from the last move of a closed area into its first move is not included.
+        """
         return extremes(self.signed[1], self.start) if len(self.unsigned) else self.phi_extremes
 
     @cached_property
     def phi_ranges(self) -> np.ndarray:
-        """Lowest and highest phi reached in each area, including the closing turns of loops, (a, 2) rad."""
+        """Lowest and highest phi in each area, with the turn from a loop's last move into its first, (a, 2) rad."""
         if not len(self):
             return np.empty((0, 2))
         (low, high), total = self.signed_extremes, self.total_turning
@@ -143,14 +146,17 @@ class Areas(Moves):
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
-        """Lowest and highest phi reached in any area, including the closing turns of loops, rad."""
+        """Lowest and highest phi in all areas, with the turn from a loop's last move into its first, rad."""
         if not len(self):
             return 0.0, 0.0
         return float(self.phi_ranges[:, 0].min()), float(self.phi_ranges[:, 1].max())
 
     @property
     def top_level(self) -> int:
-        """Level (number of whole turns in phi) farthest from zero in any area, including the closing turns of loops."""
+        """Level (number of whole turns in phi) farthest from zero in all areas.
+
+        Phi includes the turn from a loop's last move into its first.
+        """
         return top_level(self.phi_range)
 
     def signature(self, area: int) -> Signature:

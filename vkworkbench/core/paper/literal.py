@@ -56,7 +56,7 @@ class PaperVerdict:
 
 
 def paper_verdict(areas: Areas) -> PaperVerdict | None:
-    """Return the strategy of the longest area by the paper's rule; None if no move has a direction."""
+    """Return the strategy of the longest monotonous area by the paper's rule; None if no move has a direction."""
     if not len(areas):
         return None
     area = int(np.argmax(areas.area_length))

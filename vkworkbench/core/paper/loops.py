@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find closed loops, on which the tool returns to a point after a net turn of +-2 pi, and the turns of windings."""
+"""Find closed loops (the tool returns to a point after a net turn of +-2 pi), and the turns of spirals and helices."""
 
 from __future__ import annotations
 
@@ -67,19 +67,19 @@ def is_one_turn(net: np.ndarray) -> np.ndarray:
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
     """Find the closed loops: stretches that return to their first point with a net turn of +-2 pi.
 
-    An area can contain offset loops that are linked without a lift, or a contour that is cut together with a zigzag.
-    Phi then adds up over loops and links, so phi alone does not show where a loop ends; a loop is found by the point to
-    which the tool returns. If two loops overlap, the first loop counts, unless the first loop turns back and forth much
-    more than the second. For example, a zigzag can return to its own start before the tool cuts the contour around the
-    zigzag; only the contour is then a loop.
+    A monotonous area can contain offset loops that are linked without a lift, or a contour that is cut together with a
+    zigzag. Phi then adds up over loops and links, so phi alone does not show where a loop ends; a loop is found by the
+    point to which the tool returns. If two loops overlap, the first loop counts, unless the first loop turns back and
+    forth much more than the second. For example, a zigzag can return to its own start before the tool cuts the contour
+    around the zigzag; only the contour is then a loop.
 
     Returns
     -------
     first, end : (k,) int
         Loop i consists of the moves from first[i] to end[i] - 1. The loops are in order and do not overlap.
     """
-    # In a loop, phi changes by 2 pi minus the closing turn; in a zigzag, phi changes by only pi. Areas in which phi
-    # changes by less are not searched for loops, which saves time for most rasters.
+    # In a loop, phi changes by 2 pi minus the turn from the last move into the first; in a zigzag, phi changes by only
+    # pi. Monotonous areas in which phi changes by less are not searched for loops, which saves time for most rasters.
     winds = moves.phi_extent > LOOPS.HALF_TURNS * np.pi
     if not winds.any():
         none = np.zeros(0, np.int64)
@@ -173,8 +173,8 @@ def _returns(
     first, end = first[long], end[long]
     closing = closing_turns(moves.alpha, first, end)
     # The turn from the last move of a stretch into its first has no sign if it is half a turn. If a stretch begins at
-    # the tip of a lead-in, both one loop and two loops could then have a net turn of 2 pi, so stretches whose closing
-    # turn is half a turn are not loops.
+    # the tip of a lead-in, both one loop and two loops could then have a net turn of 2 pi, so stretches whose last move
+    # turns into the first by half a turn are not loops.
     once = is_one_turn(moves.phi[end - 1] - moves.phi[first] + closing) & (np.abs(closing) < np.pi - TURNS.UNSIGNED)
     return first[once], end[once]
 
@@ -208,7 +208,7 @@ def _disjoint(moves: Moves, first: np.ndarray, end: np.ndarray) -> tuple[np.ndar
 
 
 def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.ndarray) -> np.ndarray:
-    """Return the moves at which phi reaches the next multiple of 2 pi, so that a winding begins its next turn.
+    """Return the moves at which a winding, such as a spiral, begins its next full turn: phi reaches a multiple of 2 pi.
 
     Parameters
     ----------
@@ -227,9 +227,8 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     of = np.repeat(np.arange(len(start)), size)
     own = np.arange(len(of)) + np.repeat(start - np.concatenate([[0], np.cumsum(size)[:-1]]), size)
     climb = (moves.phi[own] - moves.phi[start][of]) * sense[of]
-    above = of * (
-        np.ptp(climb) + TURN
-    )  # the running maximum starts again at each winding, because the offset increases
+    # Each winding is shifted above all earlier windings, so that one running maximum starts anew in each winding.
+    above = of * (np.ptp(climb) + TURN)
     level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
     result: np.ndarray = own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]
     return result

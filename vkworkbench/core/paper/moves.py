@@ -203,7 +203,8 @@ def _split(steps: _Steps, planar: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         lifted = rapids[after] > rapids[before]
         steep = np.concatenate([[0], np.cumsum(np.where(planar | steps.rapid, 0.0, np.abs(steps.dz)))])
         height = np.abs(steps.z[after] - steps.z[before + 1])
-        drilled = steep[after] - steep[before] > height + MOVES.STILL  # the tool pecks a hole in the gap
+        # Whether the tool drills a hole between two moves: it plunges and lifts by more than their height difference.
+        drilled = steep[after] - steep[before] > height + MOVES.STILL
         gap = gap[lifted | drilled | ((height > MOVES.STILL) & ~steps.goes_on(before, after))]
     return index, np.concatenate([[0], gap]) if len(index) else gap
 
@@ -244,7 +245,9 @@ def _without_air(
     air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
-    if len(several):  # check all moves of the area, because a set of rows can also begin and end with parallel moves
+    # A link is straight in all its moves. Its first and last move alone do not show this, because an area of several
+    # rows can also begin and end with moves in the same direction.
+    if len(several):
         ways = np.column_stack([a[several], b[several] + 1]).ravel()
         x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (steps.dx, steps.dy, length))
         air[several] = np.hypot(x, y) > MOVES.ONWARD * way

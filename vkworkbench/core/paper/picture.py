@@ -122,7 +122,7 @@ def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.
 
 
 def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int) -> np.ndarray:
-    """Return the segments of a polyline that look different in a picture.
+    """Leave out each segment of a polyline that a picture would draw at the place of an earlier segment.
 
     The picture is divided into cells. A segment that joins the same two cells as an earlier segment is left out, so
     that thousands of parallel passes on a few hundred pixels are drawn with at most a few hundred segments.
@@ -141,7 +141,7 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     Returns
     -------
     (m,) int64
-        Ascending.
+        The kept segments, ascending.
     """
     if len(segments) <= most:
         return segments
@@ -161,7 +161,7 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
 
 
 def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
-    """Return the index of the area that the panel shows as the reason for an operation's strategy.
+    """Return the index of the monotonous area that the panel shows as the reason for an operation's strategy.
 
     Parameters
     ----------
@@ -170,8 +170,8 @@ def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
     first, last : int
         First and last trajectory (inclusive) of the part of the operation that follows the strategy.
     around : bool
-        Whether the strategy consists of loops. If so, the area with the largest absolute phi is returned; among areas
-        with equal phi, the longest. For other strategies, the longest area is returned.
+        Whether the strategy consists of loops. For a strategy of loops, the area with the largest absolute phi is
+        returned; among areas with equal phi, the longest. For other strategies, the longest area is returned.
     """
     begin = areas.index[areas.start]
     inside = np.flatnonzero((begin >= first) & (begin <= last))

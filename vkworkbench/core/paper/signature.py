@@ -105,7 +105,7 @@ class Signature:
     total_turning : float
         Phi after the whole traversal, rad, including the last exterior angle of a closed polyline: +2 pi for a simple
         closed counter-clockwise polygon, -2 pi for a clockwise polygon (section 3.2). For linked offset loops, the
-        value is phi at the end of the last loop, with the loop's closing turn.
+        value is phi at the end of the last loop, including the turn from the loop's last trajectory into its first.
     level : (n,) int64
         Level n: the number of whole turns in phi, which is phi / 2 pi truncated toward zero.
     length : (n,) float64
@@ -175,13 +175,16 @@ class Signature:
 
     @cached_property
     def phi_range(self) -> tuple[float, float]:
-        """Lowest and highest phi reached, rad, including the closing turn of a closed polyline."""
+        """Lowest and highest phi, rad, with the turn from the last into the first trajectory of a closed polyline."""
         total = self.total_turning
         return float(min(self.phi.min(initial=0.0), total)), float(max(self.phi.max(initial=0.0), total))
 
     @property
     def top_level(self) -> int:
-        """Level (number of whole turns in phi) farthest from zero, including the closing turn of a closed polyline."""
+        """Level (number of whole turns in phi) farthest from zero.
+
+        Phi includes the turn from the last into the first trajectory of a closed polyline.
+        """
         return top_level(self.phi_range)
 
     def gauss_map(self) -> tuple[np.ndarray, np.ndarray]:

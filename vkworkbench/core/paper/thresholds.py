@@ -8,7 +8,7 @@ recognised strategies change with each threshold; its option ``--rules`` leaves 
 
 
 class MOVES:
-    """Thresholds that decide which moves have a direction, and where an area ends."""
+    """Thresholds that decide which moves have a direction, and where a monotonous area ends."""
 
     #: mm. A coordinate that changes by no more than the threshold is constant. If the value is larger, the moves of
     #: helices count as plunges, and helices are recognised as drilling.
@@ -22,7 +22,7 @@ class MOVES:
     NOISE_BESIDE = 0.05
     #: ratio of rise to run. Moves that are steeper than the threshold are plunges and lifts. If the value is lower,
     #: helices and V-carving count as plunges. If the value is higher, a pass over a steep wall and the link to the next
-    #: pass are joined into one area.
+    #: pass are joined into one monotonous area.
     STEEP = 5.0
     #: cosine. Two moves have the same direction if the cosine of the angle between them is above the threshold. Moves
     #: in the same direction before and after a wall belong to one pass. A link in the air is straight: its first and

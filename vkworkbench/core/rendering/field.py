@@ -58,7 +58,8 @@ class Layer:
     is_part : bool
         True if the columns belong to the part, False if they are chips.
     cut : (rows + 2, columns + 2) bool, optional
-        Whether the section's cut face is visible at each cell, on the cell's own top or on the wall behind the cell.
+        Whether the cut face made by the plane of a `Section` is visible at each cell, on the cell's own top or on the
+        wall behind the cell.
     """
 
     top: np.ndarray
@@ -142,7 +143,8 @@ class Field:
     zbuffer : ZBuffer
         The simulation from above, at the moment to show.
     chips : tuple of int, optional
-        If given, the field also contains the material that the trajectories chips[0] .. chips[1] - 1 remove (chips).
+        If given, the field also contains the material (chips) that the trajectories from chips[0] to chips[1] - 1
+        remove.
     part : bool
         Whether the part is shown.
     section : Section, optional
@@ -178,7 +180,7 @@ class Field:
         Parameters
         ----------
         cell : (k,) int
-            Index, in the flattened arrays of a layer, of the cell in front of the wall.
+            Index, in the flattened arrays of a layer of columns, of the cell in front of the wall.
         height : (k,) float32
             Height of each point on its wall above the centre of the stock, mm.
         """
@@ -201,11 +203,11 @@ class Field:
 
     @cached_property
     def _pixel_of_cell(self) -> np.ndarray:
-        """The z-buffer's pixel at each cell of a layer, (cells,) int64; -1 for the cells of the border."""
+        """The z-buffer's pixel at each cell of a layer of columns, (cells,) int64; -1 for border cells."""
         return self._in_border(np.arange(self.frame.width * self.frame.height), -1).ravel()
 
     def _cut(self, layer: Layer, section: Section) -> Layer:
-        """Return a layer of the part without the material that a section hides."""
+        """Return a layer of columns without the material that the plane of a section hides."""
         place = section.place - float(self.frame.centre[section.axis])
         if section.axis == 2:
             beyond, kept = (layer.top, layer.bottom) if section.hides_above else (-layer.bottom, -layer.top)

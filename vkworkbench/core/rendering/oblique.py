@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the column of a field that each pixel of a parallel view sees, by the floating-horizon algorithm.
+"""Find the column of material that each pixel of a parallel view sees, by the floating-horizon algorithm.
 
 In parallel projection with the elevation angle e, a point that is 1 mm farther away horizontally appears sin(e) mm
 higher on the screen, and a point that is 1 mm higher appears cos(e) mm higher on the screen. For each column of pixels,
@@ -74,7 +74,7 @@ class Walls(NamedTuple):
 
 # Arrays are indexed with brackets and int64, because `take` and 32-bit indices are several times slower.
 def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
-    """Return the surfaces of a layer that the pixels of an image see.
+    """Return the surfaces of a layer of columns that the pixels of an image see.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
 
 
 class _Turned:
-    """The cells of a layer, resampled so that each column of pixels has its own sequence of cells from front to rear.
+    """The cells of a layer, resampled so that each column of pixels has a sequence of cells from front to rear.
 
     Attributes
     ----------
@@ -190,7 +190,7 @@ def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, cou
 
 
 def _first_above(back: np.ndarray, height: int) -> np.ndarray:
-    """Return the first step at which the horizon reaches each pixel, (height, width) int32.
+    """Return the first step, from front to rear, at which the horizon reaches each pixel, (height, width) int32.
 
     For pixels that the horizon never reaches, the result is the last step.
 
@@ -210,8 +210,9 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered *= np.int32(width)
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
-    # If several successive steps begin with the same horizon, only the last of these steps raises the horizon. Numpy
-    # assigns the number of this last step last, so `found` keeps the number.
+    # A step visits one cell in each column of pixels, from front to rear. If several successive steps begin with the
+    # same horizon, only the last of these steps raises the horizon. Numpy assigns the number of this last step last, so
+    # `found` keeps the number.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)
@@ -219,7 +220,7 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
 
 
 def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Return each pixel's first visible step if the columns end at different heights, (height, width) int32.
+    """Return the first step, front to rear, at which each pixel sees a column of material, (height, width) int32.
 
     Parameters
     ----------
@@ -234,8 +235,8 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
     low, back = low.ravel(), back.ravel()
     index = (first * np.int64(width) + np.arange(width)).ravel()
     pending = np.flatnonzero((low[index] > row) | (back[index] < row))
-    # A ray that passes below one column of material and above another sees neither, so its search continues with the
-    # next step.
+    # A ray that passes below one column of material and above another sees neither, so the search for its visible
+    # column continues with the next cell to the rear.
     last = (steps - 1) * width
     for _ in range(steps):
         pending = pending[index[pending] < last]

@@ -18,15 +18,15 @@ from vkworkbench.core.rendering.shading import BACKGROUND, BRIGHTEST, EDGE, EMPT
 from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer import STOCK
 
-# SECTION: colour of the cut face of a section. CUT_OPEN: number that is stored, instead of a trajectory, for the cut
-# face of a section, which no trajectory cut.
+# SECTION: colour of the cut face where a plane (`Section`) cuts the part open. CUT_OPEN: number that is stored, instead
+# of a trajectory, for this cut face, which no trajectory cut.
 SECTION, CUT_OPEN = np.array((206, 128, 96), np.uint8), -2
 # Colour of highlighted surfaces.
 LIT = np.array((255, 170, 40), np.uint8)
 # Difference in depth between neighbouring pixels above which a dark edge is drawn, as a multiple of a pixel's side.
 # With a smaller value, steep slopes get dark edges. With a larger value, small steps of the part get no edges.
 _JUMP = 8.0
-# Brightness of the lines that are drawn for cuts narrower than the cells of the field.
+# Brightness of the lines that are drawn for cuts narrower than the distance between the simulated rays.
 _THIN = 0.65
 # A narrow cut is drawn if it is deeper than the visible surface by less than an allowed difference, which grows as the
 # view becomes more horizontal. The allowed difference is divided by the sine of the view's elevation, but at least by
@@ -89,7 +89,7 @@ def scene(
     lit: tuple[int, int] | None = None,
     background: tuple[int, int, int] = BACKGROUND,
 ) -> Scene:
-    """Return the picture of a field.
+    """Return the picture of a field (columns of material).
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def scene(
         Either the colours of the trajectories' surfaces, see `palette`; or the colour of every cell of the part as seen
         from above, row 0 at the bottom.
     lit : tuple of int, optional
-        If given, the surfaces that the trajectories lit[0] .. lit[1] - 1 have cut are highlighted.
+        If given, the surfaces that the trajectories from lit[0] to lit[1] - 1 have cut are highlighted.
     background : tuple of int
         Colour of empty pixels.
     """
@@ -152,7 +152,10 @@ class _Lines(NamedTuple):
 def _draw_thin_cuts(
     field: Field, frame: Frame, colors: np.ndarray, lit: tuple[int, int] | None, depth: np.ndarray, pixels: np.ndarray
 ) -> _Lines:
-    """Draw the narrow cuts of a field as dark lines into a picture whose row 0 is at the bottom; return the lines."""
+    """Draw cuts narrower than the rays' distance as dark lines; in the picture, row 0 is at the bottom.
+
+    The function returns the drawn lines.
+    """
     thin = field.thin_cuts if frame.direction[2] < 0 else None
     if thin is None or not len(thin.owner):
         return _Lines(*np.empty((3, 0), np.int64))
@@ -245,7 +248,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
     number = owner + np.int64(1)
     if colors.ndim == 3 and layer.is_part and not below:
         number, colors = seen.cell, _in_border(colors)
-    elif colors.ndim == 3 or len(colors) == 2:  # the field or the caller gives one colour for all trajectories
+    elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
     color = _packed(colors, BRIGHTEST)[number]
@@ -295,7 +298,7 @@ def _light_of(frame: Frame) -> np.ndarray:
 
 
 def _in_border(colors: np.ndarray) -> np.ndarray:
-    """Return the colours of a layer's cells (cells, 3) from the colours of the field (rows, columns, 3)."""
+    """Return the colours (rows, columns, 3) of a layer with a border of cells around them, flattened (cells, 3)."""
     return np.pad(colors, [(1, 1), (1, 1), (0, 0)]).reshape(-1, 3)
 
 

@@ -18,8 +18,8 @@ from vkworkbench.core.zbuffer import Cuts, ZBuffer
 _STEP, _MOST = 0.5, 1_000_000
 # Tools with a radius below this limit, in cells, are narrow: they can pass between four neighbouring rays.
 _NARROW = 0.71
-# Number of sampled points before and after an uncut ray that are also drawn, although their own rays happened to be
-# cut.
+# Number of sampled points of a path, before and after a point with an uncut ray, that are also drawn, although their
+# own rays happened to be cut.
 _BESIDE = 2
 # Difference between two heights, mm, above which the difference is not a rounding error.
 _NOISE = 1e-3
@@ -76,7 +76,8 @@ def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
     for step in range(1, _BESIDE + 1):
         shown[step:] |= uncut[:-step]
         shown[:-step] |= uncut[step:]
-    shown &= surface > points[:, 2] - _NOISE  # otherwise another cut removed the material above the narrow cut's floor
+    # Do not draw points at which another cut removed all material above the narrow cut's floor.
+    shown &= surface > points[:, 2] - _NOISE
     return ThinCuts(np.column_stack((points[shown, :2], surface[shown])), owner[shown])
 
 

@@ -83,7 +83,7 @@ def draw_tool(scene: Scene, tool: Tool, tip: np.ndarray, frame: Frame) -> None:
 
 
 def _pieces(tool: Tool) -> Iterator[tuple[_Ring, _Ring, tuple[tuple[int, int, int], float], bool]]:
-    """Yield, for each piece of the tool's surface, both end rings, colour and opacity, and whether it has flutes."""
+    """Yield each piece of the tool's surface: circles at both ends, colour and opacity, whether it has flutes."""
     share = np.sin(np.linspace(0, np.pi / 2, _RINGS)) if tool.rounding else np.array([0.0, 1.0])
     radii = np.union1d(tool.radius * share, (tool.tip, tool.radius - tool.rounding))
     rings = [_Ring(*pair) for pair in zip(radii.tolist(), tool.height(radii).tolist())]
@@ -105,7 +105,7 @@ def _pieces(tool: Tool) -> Iterator[tuple[_Ring, _Ring, tuple[tuple[int, int, in
 
 
 def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
-    """Return where rays hit the cone between two rings, or the disc if both rings have the same height."""
+    """Return where rays hit the cone between two circles, or the disc if both circles have the same height."""
     column, row = _around(one, other, tip, frame)
     origin = frame.origins(*frame.pixel_centres(column, row)) - tip
     direction = frame.direction
@@ -141,7 +141,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
 
 
 def _around(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> tuple[np.ndarray, np.ndarray]:
-    """Return the columns and rows, row 0 at the bottom, of the pixels in the rectangle around two rings."""
+    """Return columns and rows, row 0 at the bottom, of the pixels in the rectangle around two circles of the tool."""
     centres = project(tip + np.array([(0, 0, one.height), (0, 0, other.height)]), frame)[:, :2]
     reach = np.array([one.radius, other.radius])[:, None] / frame.pixel * (1, abs(frame.direction[2]))
     low, high = (centres - reach).min(axis=0), (centres + reach).max(axis=0)

@@ -22,7 +22,8 @@ RAMP_ERROR = 0.1
 def cautions(task: Task, cost: LegacyCost | None, conditions: Conditions) -> list[Caution]:
     """Return warnings.
 
-    Arcs are checked only if `task` has words, ramps only if it has a tool, times only if `cost` is known.
+    Arcs are checked only if `task.words` (the words of the G-code commands) is not None, ramps only if `task.tool` is
+    not None, and times and short moves only if `cost` is not None.
     """
     found = _hangs(task, conditions.version)
     if task.tool is not None:

@@ -6,9 +6,9 @@ from __future__ import annotations
 import numpy as np
 
 # A height difference between two neighbouring cells of the height map is a wall if its ratio to the edge of a cell is
-# at least this value. It is also a wall if it is more than twice each neighbouring height difference; otherwise it is a
-# slope. With a lower value, steep slopes count as walls. With a higher value, walls beside slopes count as slopes. In
-# both cases, the number of triangles in the mesh is estimated wrongly.
+# at least this value. A smaller height difference is also a wall if it is more than twice each neighbouring height
+# difference; otherwise the height difference is a slope. With a lower value, steep slopes count as walls. With a higher
+# value, walls beside slopes count as slopes. In both cases, the number of triangles in the mesh is estimated wrongly.
 _WALL = 1.8
 # Number of triangles per corner of a wall (_CORNER), per cell along a wall (_ALONG), per rectangle on a slope
 # (_RECTANGLE), and in the mesh of an uncut box (BOX). The numbers were fitted to FreeCAD's meshes

@@ -88,7 +88,10 @@ def motions(toolpath: Toolpath) -> Motions:
 
 
 def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarray:
-    """Return the height, mm, at which the first feed move of each group begins; the groups begin at `first`."""
+    """Return the height, mm, at which the first feed move of each group of trajectories begins.
+
+    A group, such as a drilling cycle, begins at the trajectory `first` and ends before the next group.
+    """
     n = len(toolpath)
     index = np.where(toolpath.rapid, n, np.arange(n))
     result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]

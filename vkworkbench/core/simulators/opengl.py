@@ -107,7 +107,7 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
     disc = np.pi / 4 * diameter**2
     x, y = np.abs(made.move[:, :2]).T
     across = np.divide(y, made.level, out=np.zeros(len(y)), where=made.level > 0)
-    # An arc has all directions. On average, 2 / pi of its length is visible (the mean of |cos|).
+    # The chords of an arc have all directions. On average, 2 / pi of a chord's length is visible (the mean of |cos|).
     arc, turned = made.radius * np.abs(made.sweep), 2 / np.pi
     kinds = small, made.radius > 0, made.level < 1e-6
     wide = np.select(
@@ -204,8 +204,8 @@ def opengl_cost(
     longer = 1 + _LONGER_PER_SEGMENT * (outline_segments(tool) - 2)
     drawing = constants.draw * longer * (draws + constants.fill * _PASSES * work.area / window)
 
-    # Compute the mean time of the frames during each motion. A straight motion is drawn completely in its first frame;
-    # an arc is drawn chord by chord, on average half.
+    # Compute the mean time of the frames during each motion. A straight motion is drawn completely in its first frame.
+    # An arc is drawn chord by chord, so half of the arc is drawn on average.
     before = np.cumsum(drawing) - drawing
     frames = np.maximum(constants.frame + before + np.where(arc, drawing / 2, drawing), constants.refresh)
     total = float((steps * frames).sum())

@@ -16,8 +16,9 @@ def preflight(task: Task, costs: Mapping[str, Cost], conditions: Conditions) -> 
     Parameters
     ----------
     task : Task
-        The operation to check. If the words of its commands are unknown, the commands are not checked. If the
-        operation's tool is unknown, ramps are not checked.
+        The operation to check. If `task.words` (the words of the operation's G-code commands) is None, the result does
+        not include warnings of arcs that a simulator cannot cut. If the operation's tool is unknown, ramps are not
+        checked.
     costs : mapping of str to Cost
         Predicted costs by the names of the simulators. If a cost is missing, time and memory in this simulator are not
         checked.

@@ -214,8 +214,8 @@ class Simulator:
         Columns in CSV and JSON. The keys are the names of the columns. Each function returns the column's value from a
         cost.
     factor_column : str or None
-        Name of the column with the cost's factor, which comes after the columns of all simulators; None if `columns`
-        contains the factor.
+        Name of the column with the uncertainty factor of the time (`Cost.factor`), which comes after the columns of all
+        simulators; None if `columns` contains the factor.
     time_tooltip, memory_tooltip : str
         Tooltips of the columns for time and memory in the panel, translated in the context "Vk_Results".
     advice : Advice or None

@@ -42,10 +42,11 @@ _SEED = 2002
 # costs below, as multiples of the times in `Speed`. TESTS is the cost of testing a pair of a tile and a trajectory.
 # CELLS is the cost of a cell; a cell is the cutting of one pixel's ray by one trajectory. SORTED is the additional cost
 # of a cell if the ray's removed intervals must be sorted. RECORDS is the cost of a record (dexel, trace element or gap)
-# in a vertical view and in an oblique view. For a bull-nose in an oblique view, cutting a cell between the ends of the
-# move takes about three times as long as cutting a cell at an end, whether the move is level or sloped. Therefore the
-# kinds 13 and 15, which mean a bull-nose's level and sloped moves in TESTS, mean cells at an end of the move and cells
-# between the ends in CELLS.
+# in a vertical view and in an oblique view. With a bull-nose in an oblique view, cutting a ray that meets the tool
+# between the ends of the move takes about three times as long as cutting a ray that meets the tool at an end, whether
+# the move is level or sloped. Therefore the elements 13 and 15 have different meanings in TESTS and CELLS. In TESTS,
+# they are for level and for sloped moves of a bull-nose. In CELLS, they are for rays that meet a bull-nose at an end of
+# the move and between the ends.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -108,8 +109,8 @@ class Work:
         -------
         (7,) float64
             Numbers of trajectories, pixels, pairs of a trajectory and a tile of the largest size, batches of pairs of
-            one kind, tests, cells and records. Tests, cells and records are multiplied by their costs in TESTS, CELLS,
-            SORTED and RECORDS.
+            one kind, tests of pairs, cells (rays that a trajectory cuts) and records (dexels, trace elements and gaps).
+            Tests, cells and records are multiplied by their costs in TESTS, CELLS, SORTED and RECORDS.
         """
         levels = np.array(self.pairs).reshape(-1, KINDS)
         pairs, tests = _shift_levels(levels.sum(axis=1), growth), _shift_levels(levels @ TESTS, growth)
@@ -124,7 +125,7 @@ class Work:
         ])  # fmt: skip
 
     def _cell_growth(self, growth: float) -> float:
-        """Return the factor by which the number of cells grows if the number of pixels grows by `growth`.
+        """Return the factor by which the number of cut rays (cells) grows if the number of pixels grows by `growth`.
 
         The result is the geometric mean of two models. In the first model, each halving of the tiles' side multiplies
         the number of pairs of a tile and a trajectory by the same factor as the last halving whose factor is known. In
@@ -138,7 +139,7 @@ class Work:
 
 
 def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
-    """Convert an amount of work for each size of tiles to an image with `growth` times as many pixels.
+    """Return the amounts of work, one for each size of tiles, for an image with `growth` times as many pixels.
 
     The amounts are interpolated between sizes of tiles on a logarithmic scale.
     """
@@ -221,11 +222,11 @@ def _count_bands(removal: Removal) -> tuple[float, float]:
 
 
 def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the kind (m,) of each trajectory's cells, and the share (m,) of its cells between the ends of the move.
+    """Return the kind of each trajectory, and the share of its cells between the ends of the move, two arrays (m,).
 
-    For a bull-nose, the share is estimated as run / (run + pi / 2 * radius): the area of the rectangle between the
-    discs at both ends of the move, divided by the whole swept area. For tools other than bull-noses, the share of cells
-    between the ends is 0.
+    A cell is a ray that the trajectory cuts. For a bull-nose, the share is estimated as run / (run + pi / 2 * radius):
+    the area of the rectangle between the discs at both ends of the move, divided by the whole swept area. For tools
+    other than bull-noses, the share of cells between the ends is 0.
     """
     rounded = (kind == _AT_END) | (kind == _BETWEEN)
     run = removal.heading[2]
@@ -234,7 +235,10 @@ def _cell_kinds(removal: Removal, kind: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def _count_pairs(tiles: Tiles, weight: np.ndarray, kind: np.ndarray) -> np.ndarray:
-    """Return the estimated number of pairs of each kind, (KINDS,). Each pair is counted with the weight of its tile."""
+    """Return the estimated number of pairs of each kind, (KINDS,).
+
+    Each pair is counted with its tile's weight, the number of tiles that a drawn tile represents.
+    """
     return np.bincount(kind[tiles.item], np.repeat(weight, np.diff(tiles.first)), KINDS)
 
 
@@ -247,7 +251,10 @@ def _kind_number(kind: Kind, upright: bool) -> int:
 
 
 def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles, np.ndarray, int]:
-    """Return a sample of the largest tiles, the weight of each drawn tile, and the number of all largest tiles."""
+    """Return a sample of the largest tiles, and the number of all largest tiles.
+
+    The second array of the result contains each drawn tile's weight, the number of tiles that the tile represents.
+    """
     frame = removal.frame
     columns, rows = -(-frame.width // TILE), -(-frame.height // TILE)
     every = columns * rows
@@ -263,10 +270,11 @@ def _draw_first_tiles(removal: Removal, rng: np.random.Generator) -> tuple[Tiles
 def _draw_tiles(
     tiles: Tiles, weight: np.ndarray, cost: np.ndarray, pairs: int, rng: np.random.Generator
 ) -> tuple[Tiles, np.ndarray]:
-    """Return a sample of tiles and their weights; return all tiles if they have at most `pairs` pairs.
+    """Return a sample of tiles, and the number of tiles that each drawn tile represents (its weight).
 
-    The probability of drawing a tile is proportional to its weight times the cost of its pairs. `cost` (p,) is the cost
-    of each pair of a tile and a trajectory.
+    All tiles are returned if they have at most `pairs` pairs of a tile and a trajectory. The probability of drawing a
+    tile is proportional to its weight times the cost of its pairs. `cost` (p,) is the cost of each pair of a tile and a
+    trajectory.
     """
     size = np.diff(tiles.first)
     if size.sum() <= pairs:

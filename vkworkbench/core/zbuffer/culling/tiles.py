@@ -31,9 +31,9 @@ TILE = 64
 # Number of pairs of a tile and a trajectory in one batch. The arrays of a larger batch would not fit into the
 # processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 PAIRS_AT_ONCE = 65536
-# A trajectory stays in a tile's list only if it reaches deeper, by more than this length, mm, than the tile is already
-# open. With a smaller length, trajectories that cut nothing would stay because of rounding errors. With a larger
-# length, trajectories that remove only a thin layer would be dropped.
+# A trajectory stays in a tile's list only if it reaches deeper, by more than this length, mm, than earlier trajectories
+# have cut all rays of the tile. With a smaller length, trajectories that cut nothing would stay because of rounding
+# errors. With a larger length, trajectories that remove only a thin layer would be dropped.
 NOISE = 1e-8
 
 

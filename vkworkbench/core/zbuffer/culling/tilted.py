@@ -217,7 +217,9 @@ def _not_yet_open(
     holds = all_enter <= all_leave
     all_enter, all_leave = np.maximum(all_enter, near), np.minimum(all_leave, far)
     open_near, open_far = near, far
-    for _ in range(2):  # the second round also joins intervals that touch the gap found by the first round
+    # Each round extends the gaps at both ends of the rays by the intervals that touch a gap. The second round adds
+    # intervals that touch a gap only after the first round.
+    for _ in range(2):
         opens = np.where(holds & (all_enter <= open_near), all_leave, near) + offset
         open_near = before_in_group(np.maximum.accumulate(opens), start, (near + offset)[start]) - offset
         opens = np.where(holds & (all_leave >= open_far), all_enter, far) - offset

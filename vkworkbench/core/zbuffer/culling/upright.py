@@ -105,7 +105,7 @@ class Upright:
         return depth.reshape(-1, len(item))
 
     def _kinds(self, item: np.ndarray) -> Iterator[tuple[Tool, bool, slice | np.ndarray]]:
-        """Yield the tool of each kind in `item`, whether the moves are level, and the kind's positions in `item`."""
+        """Group `item` by tool and by level or sloped moves; yield tool, whether level, and positions in `item`."""
         return ((*self.trajectories.kinds[number], own) for number, own in self.trajectories.by_kind(item))
 
 
@@ -225,9 +225,10 @@ def _bounds_of_ball(radius: float, slopes: Slopes | None, squares: Squares) -> t
     depth = depth - radius
 
     def depths(chord2: np.ndarray, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """Return the depths of the ball's surface where its chord along the move has the squared half length `chord2`.
+        """Return depths of the swept ball's surface; `chord2` is the squared half length of the ball's chord.
 
-        The ball's axis is between `begin` and `end` along the move; the function overwrites `begin` and `end`.
+        The chord is parallel to the move. The ball's axis is between `begin` and `end` along the move; the function
+        overwrites `begin` and `end`.
         """
         if slopes is None:
             at = np.maximum(begin, 0, out=begin)

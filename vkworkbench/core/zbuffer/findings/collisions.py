@@ -33,9 +33,10 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 from vkworkbench.language import Message
 
 FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "tool"
-# _TOUCHES: distance by which a body is made smaller before the check, mm, because a body that only touches a wall does
-# not collide. The chords that replace an arc leave material as thick as the largest distance between arc and chord (the
-# arc's rise). Therefore bodies are made smaller by at least `_OF_RISE` times the rise.
+# _TOUCHES: distance by which a body (a part of a tool above its flutes) is made smaller before the check, mm, because a
+# body that only touches a wall does not collide. The chords that replace an arc leave material as thick as the largest
+# distance between arc and chord (the arc's rise). Therefore bodies are made smaller by at least `_OF_RISE` times the
+# rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
 # Assumed diameter of an unknown holder, as a multiple of the diameter of the tool or of its shank. This is the diameter
 # of the narrowest holders.
@@ -43,10 +44,10 @@ _NARROWEST_HOLDER = 1.5
 # Largest height, mm, by which the tool descends in one part of a sloped move. Sloped moves are divided into such parts
 # to find cuts deeper than the flutes.
 _FALL = 0.5
-# The first simulation moves bodies before their tools, the second simulation after them. Moves in which only the first
-# simulation finds a collision are divided into parts and simulated again. _SHARE: length of one part, as a share of the
-# difference between the radii of body (shank or holder) and tool. _MOST_PARTS: largest number of parts of one move.
-# _PARTS_TOGETHER: largest number of parts of all moves together.
+# The first simulation moves bodies (parts of tools above the flutes) before their tools, the second simulation after
+# the tools. Moves in which only the first simulation finds a collision are divided into parts and simulated again.
+# _SHARE: length of one part, as a share of the difference between the radii of body (shank or holder) and tool.
+# _MOST_PARTS: largest number of parts of one move. _PARTS_TOGETHER: largest number of parts of all moves together.
 _SHARE, _MOST_PARTS, _PARTS_TOGETHER = 0.5, 1000, 200_000
 # Angle between the rows of rays and the X axis, rad. Few walls are parallel to this direction.
 _TURN = 0.3
@@ -62,7 +63,7 @@ _CLOSEST = 2.0**-7
 
 @dataclass(frozen=True)
 class Collision:
-    """The collisions of one part of a tool in one cut.
+    """The collisions of one part of a tool in one operation.
 
     Attributes
     ----------
@@ -73,7 +74,7 @@ class Collision:
     trajectory : int
         Number of the first trajectory that collides.
     source, last : Source
-        Cut and command of the first and of the last trajectory that collides.
+        Operation and command of the first and of the last trajectory that collides.
     place : (3,) tuple of float
         Middle of the longest piece of a ray that the colliding part would remove in the first trajectory, mm.
     depth : float
@@ -119,7 +120,7 @@ class Collisions:
         Largest distance between neighbouring rays of the check, mm; 0 if no shank or holder is ever below the top of
         the material.
     shanks, holders : tuple of bool
-        For each cut, whether the size of the tool's shank is known, and whether the size of its holder is known.
+        For each operation, whether the size of the tool's shank is known, and whether the size of its holder is known.
     clamps : int
         Number of clamps.
     """
@@ -295,7 +296,7 @@ class _Search:
     def _removed(
         self, alternation: Alternation, solid: Solid, pixels: np.ndarray, of: np.ndarray | None = None
     ) -> _Removed:
-        """Return the pieces that the bodies in an alternation remove from rays through the solid.
+        """Return the pieces that bodies, in moves that alternate with tools, remove from rays through the solid.
 
         With a mask `of` (n,) bool of the job's trajectories, return the pieces that the tools remove in these
         trajectories instead.
@@ -315,7 +316,7 @@ class _Search:
 
 
 def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.ndarray:
-    """Return whether each move can bring a body as low as the top of the material, (n,) bool."""
+    """Return whether each move can bring a body (shank or holder) as low as the top of the material, (n,) bool."""
     radius = np.array([body.radius if body else 0.0 for body in bodies])[cuts.cut]
     bottom = np.array([body.bottom if body else np.inf for body in bodies])[cuts.cut]
     start, end = cuts.ends
@@ -345,7 +346,7 @@ def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: S
 
 
 def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
-    """Return the sequence of moves in which each body moves before its tool.
+    """Return the sequence of moves in which each body (shank or holder) moves before its tool.
 
     Sloped moves are divided into parts, because during each part the body is raised by the height that the tool
     descends in this part.
@@ -364,7 +365,7 @@ def _parts(wanted: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class _Removed:
-    """Pieces of rays that bodies would remove if they could cut.
+    """Pieces of rays that bodies (shanks and holders) would remove if they could cut.
 
     Attributes
     ----------
@@ -421,7 +422,7 @@ class _Removed:
         return _Removed(self.trajectory[kept], self.lower[kept], self.upper[kept], self.height[kept])
 
     def collisions(self, cuts: Cuts, body: str, clamp: str = "") -> Iterator[Collision]:
-        """Yield one collision for each cut with colliding pieces."""
+        """Yield one collision for each operation in which bodies (shanks or holders) remove pieces of rays."""
         cut = cuts.cut[self.trajectory]
         for number in np.unique(cut).tolist():
             own = np.flatnonzero(cut == number)

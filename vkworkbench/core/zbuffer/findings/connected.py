@@ -18,7 +18,7 @@ def connected_cells(row: np.ndarray, column: np.ndarray) -> np.ndarray:
     first = np.flatnonzero(np.diff(cells, prepend=cells[0] - 2) > 1)  # first cell of each run of cells in a row
     length = np.diff(first, append=len(cells))
     begin, end = cells[first], cells[first + length - 1]
-    # The runs of the next row that touch a given run have consecutive numbers.
+    # All runs of cells in the next row that touch one run have consecutive numbers.
     touching = np.searchsorted(end, begin + width - 1)
     count = np.searchsorted(begin, end + width + 1, side="right") - touching
     run = np.repeat(np.arange(len(first)), count)

@@ -31,16 +31,16 @@ _TILES = 500
 
 @dataclass(frozen=True)
 class Deviation:
-    """A gouge or leftover material in one cut or in one group of connected pixels, described by its worst place.
+    """A gouge or leftover material in one operation or one group of connected pixels, described by its worst place.
 
     Attributes
     ----------
     trajectory : int or None
-        For leftover material, the trajectory that cut the part's surface at `place`. For a gouge of a cut, the first
-        trajectory that removed material at the model's surface. The trajectory is None if the part's surface at `place`
-        belongs to the uncut stock.
+        For leftover material, the trajectory that cut the part's surface at `place`. For a gouge by an operation, the
+        first trajectory that removed material at the model's surface. The trajectory is None if the part's surface at
+        `place` belongs to the uncut stock.
     source : Source or None
-        Cut and command of the trajectory.
+        Operation and command of the trajectory.
     place : (3,) tuple of float
         Point of the part's surface at which the depth is largest, mm. If no material is left on the ray, `place` is on
         the model's far side.
@@ -49,7 +49,7 @@ class Deviation:
     area : float
         Area of the image in which the deviation along the view exceeds the tolerance, mm^2.
     last : Source or None
-        For a gouge of a cut, the last command that removed material at the model's surface; otherwise None.
+        For a gouge by an operation, the last command that removed material at the model's surface; otherwise None.
     """
 
     trajectory: int | None
@@ -63,9 +63,9 @@ class Deviation:
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
     """Return every gouge, the deepest gouge first.
 
-    A gouge is a group of connected pixels in which one cut goes deeper into the model than the tolerance plus the cut's
-    allowed depth. All places at which the stock is too small for the model are returned as one deviation without a
-    source.
+    A gouge is a group of connected pixels in which one operation goes deeper into the model than the tolerance plus the
+    operation's allowed depth. All places at which the stock is too small for the model are returned as one deviation
+    without a source.
 
     Parameters
     ----------
@@ -111,7 +111,10 @@ def _connected(frame: Frame, pixels: np.ndarray, side: float) -> list[np.ndarray
 
 
 def material_left(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:
-    """Return each cut's thickest leftover material, the thickest first. The arguments are the same as for `gouges`."""
+    """Return the thickest leftover material of each operation, the thickest first.
+
+    The arguments are the same as for `gouges`.
+    """
     gap = _leftover_gap(found)
     pixels, maker = _find_makers(zbuffer, gap, tolerance)
     cut = _cuts_of(zbuffer, maker)
@@ -174,7 +177,8 @@ def _worst_by_group(zbuffer: ZBuffer, gap: _Gap, tolerance: float, most: int) ->
     least = tolerance
     for number in sorted(range(len(groups)), key=lambda number: -worst[number]):
         # The groups of tiles are examined in the order of their largest distance along the view, the largest first. The
-        # distance in space is never larger, so the remaining groups cannot contain a worse place.
+        # depth of a place is its distance in space, which is at most its distance along the view, so the remaining
+        # groups cannot contain a worse place.
         if worst[number] <= least:
             break
         places += _worst_place(zbuffer, gap, deviating[groups[number]], maker[groups[number]], least)
@@ -213,8 +217,8 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
         return around(image, extreme).ravel()[pixels]
 
     # At an edge or a wall of the model, a pixel's ray can miss the model, so that the gouge would be attributed to a
-    # wrong cut. Therefore a pixel is used only if the gouges of all its deviating neighbours are attributed to the same
-    # cut.
+    # wrong operation (cut). Therefore a pixel is used only if the gouges of all its deviating neighbours are attributed
+    # to the same operation.
     sure = extreme_cut_around(np.minimum, len(zbuffer.cuts.cuts)) == extreme_cut_around(np.maximum, -1)
     return pixels[sure], maker[sure]
 
@@ -242,7 +246,7 @@ def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behi
 
 
 def _cuts_of(zbuffer: ZBuffer, owner: np.ndarray) -> np.ndarray:
-    """Return the number of the cut to which each trajectory belongs; -1 for `STOCK`."""
+    """Return the number of each trajectory's operation (cut); -1 for `STOCK`."""
     cut = np.full(len(owner), -1)
     made = owner != STOCK
     cut[made] = zbuffer.cuts.cut[owner[made]]

@@ -70,7 +70,7 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
         volumes = np.maximum(volumes, measured.each)
     length, volumes = np.where(cuts.rapid, 0.0, (cuts.lengths, volumes))
     stretch = np.floor((np.cumsum(length) - length / 2) / (2 * zbuffer.frame.pixel)).astype(np.int64)
-    # A rapid begins a new stretch of joined moves, and so does the first trajectory of a cut.
+    # A rapid begins a new stretch of joined moves, and so does the first trajectory of an operation.
     begins = cuts.rapid.copy()
     begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
     group = np.cumsum(begins)
@@ -136,10 +136,10 @@ def trajectory_table(zbuffer: ZBuffer, measured: Volumes | None = None) -> dict[
     Returns
     -------
     dict of ndarray
-        ``cut`` and ``command``: numbers of the cut and of the command to which each trajectory belongs; ``rapid``: True
-        for a rapid; ``length``, mm; ``seconds``, s, 0 if the feed is unknown; ``removed_volume``, mm^3; ``rate``:
-        removal rate, mm^3/min, NaN if the feed is unknown; ``air``: True for a feed move that removes nothing;
-        ``depth`` and ``width`` of cut, mm; ``tool_diameter``, mm.
+        ``cut`` and ``command``: numbers of the operation and of the command to which each trajectory belongs;
+        ``rapid``: True for a rapid; ``length``, mm; ``seconds``, s, 0 if the feed is unknown; ``removed_volume``, mm^3;
+        ``rate``: removal rate, mm^3/min, NaN if the feed is unknown; ``air``: True for a feed move that removes
+        nothing; ``depth`` and ``width`` of cut, mm; ``tool_diameter``, mm.
     """
     cuts = zbuffer.cuts
     depth, width = engagement(zbuffer, measured)

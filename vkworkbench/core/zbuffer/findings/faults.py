@@ -46,7 +46,7 @@ class Crash:
     trajectory : int
         Number of the trajectory.
     source : Source
-        Cut and command of the trajectory.
+        Operation and command of the trajectory.
     place : (3,) tuple of float
         Middle of the longest piece of a ray that the rapid removes, mm.
     depth : float
@@ -166,7 +166,7 @@ class Plunge:
     trajectory : int
         Number of the trajectory.
     source : Source
-        Cut and command of the trajectory.
+        Operation and command of the trajectory.
     place : (3,) tuple of float
         End of the plunge, mm.
     feed, allowed : float

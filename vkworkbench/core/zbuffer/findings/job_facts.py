@@ -294,9 +294,9 @@ def facts(
 def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
     """Return the gouges found in the image together with the thin gouges, the deepest gouge first.
 
-    For cuts with thin tools, the thin gouges replace the gouges found in the image, unless some moves of thin tools are
-    unchecked. A thin gouge in a wall is united with the gouges found in the image that the same cut made with an
-    overlapping range of trajectories.
+    In operations with thin tools, the thin gouges replace the gouges found in the image, unless some moves of thin
+    tools are unchecked. A thin gouge in a wall is united with the gouges found in the image that the same operation
+    made with an overlapping range of trajectories.
     """
     found = [one for one in gouged if one.source is None or one.source.cut not in thin.cuts or thin.unchecked]
     found += thin.found
@@ -307,7 +307,7 @@ def with_thin(gouged: Sequence[Deviation], thin: ThinGouges) -> list[Deviation]:
 
 
 def _overlap(one: Deviation, other: Deviation) -> bool:
-    """Return whether two gouges are made by the same cut and their ranges of trajectories overlap."""
+    """Return whether two gouges are made by the same operation and their ranges of trajectories overlap."""
     if one.source is None or other.source is None or one.last is None or other.last is None:
         return False
     first, last = max(one.source.trajectory, other.source.trajectory), min(one.last.trajectory, other.last.trajectory)

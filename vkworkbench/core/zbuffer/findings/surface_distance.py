@@ -9,8 +9,8 @@ from math import ceil, hypot
 
 import numpy as np
 
-# Relative error that is allowed in the result. A pixel is not searched if its distance exceeds the largest distance
-# found so far by less than this share, or by less than the side of a pixel.
+# Relative error that is allowed in the result. A pixel is not searched if the distance between the surfaces there
+# exceeds the largest distance found so far by less than this share, or by less than the side of a pixel.
 _ALIKE = 0.02
 # The pixels are searched in several passes, first only every 64th pixel in each direction, and finally all pixels. A
 # few pixels of a coarse pass exclude many pixels of the later passes.
@@ -18,9 +18,9 @@ _GRIDS = (64, 16, 4, 1)
 # _AT_ONCE: largest number of pixels that are searched in one batch. _PAIRS: largest number of pairs of a searched pixel
 # and a pixel around it in one batch; each pair needs 50 bytes.
 _AT_ONCE, _PAIRS = 256, 500_000
-# Each of the three sparse searches looks at circles of pixels around a pixel, given by the number of directions and the
-# ratio of consecutive radii. In the last sparse search, this ratio is close to 1, because pixels between two circles
-# are skipped.
+# Each of the three sparse searches examines pixels on circles around a pixel. A pair of numbers defines a search: the
+# number of directions from the centre, and the ratio of consecutive radii. In the last sparse search, this ratio is
+# close to 1, because pixels between two circles are skipped.
 _SPARSE = ((8, 2.0), (16, 1.2), (16, 1 + _ALIKE))
 _RADII_AT_ONCE = (8, 64, 256)  # radii, pixels, that divide the circles into batches
 # Complete search around a pixel, ring by ring. _WIDTH: ratio of a ring's outer radius to its inner radius. _FINE: inner

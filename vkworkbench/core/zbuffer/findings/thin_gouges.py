@@ -63,8 +63,8 @@ class ThinGouges:
     in_walls : tuple of Deviation
         The gouges of the other tools near the walls of the model. Some of these gouges are visible in an image, too.
     cuts : tuple of int
-        Numbers of the cuts with thin tools. The gouges in `found` replace the gouges of these cuts that were found in
-        an image.
+        Numbers of the operations with thin tools. The gouges in `found` replace the gouges of these operations that
+        were found in an image.
     unchecked : tuple of Source
         Moves of thin tools that were not checked within the time limit.
     walls_checked : bool
@@ -171,7 +171,7 @@ def _gouges_in_walls(
 
 
 def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the moves of a cut that can gouge the model, and half the width of the strip along each move, mm.
+    """Return the moves of an operation that can gouge the model, and half the width of the strip along each move, mm.
 
     A returned move goes deeper than `least`, mm, below the model's top.
     """
@@ -184,7 +184,7 @@ def _deep_moves(cuts: Cuts, number: int, model: Solid, least: float) -> tuple[np
 
 
 class _Search:
-    """Collects the points at which a cut removes material more than `least`, mm, below the model's surface."""
+    """Collects the points at which an operation removes material more than `least`, mm, below the model's surface."""
 
     def __init__(self, model: Solid, frame: Frame, least: float, going_on: Callable[[], None]) -> None:
         self._least, self._model, self._going_on = least, spans_in(model, frame), going_on

@@ -36,14 +36,15 @@ class Verdict:
     walls_checked : bool
         Whether all walls of the model were compared with the part, on rays closer than a pixel, within the time limit.
     unjudged : tuple of int
-        Cuts whose gouges are unknown, because their tools were simulated with another shape than the real shape.
+        Numbers of the operations whose gouges are unknown, because their tools were simulated with another shape than
+        the real shape.
     collisions : Collisions or None
         Collisions of shanks, holders and clamps; None if they were not checked.
     lines : bool
         Whether the message names commands by their line in the NC program, counted from 1.
     unread : tuple of Message
-        Messages on parts of the job that could not be read, and on assumptions made while reading the job. A job with
-        such a message never counts as sound.
+        Messages on parts of the job that could not be read, and on assumptions made while reading the job. With such a
+        message, `is_sound` is False.
     """
 
     pixel: float | None = None

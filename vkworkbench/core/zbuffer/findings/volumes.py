@@ -50,15 +50,15 @@ class Volumes:
     depths : (n,) float64
         Height of the tallest piece that each trajectory removes from a ray, mm.
     images : (4, cuts) float64
-        Volume that each cut removes in each image, mm^3.
+        Volume that each operation removes in each image, mm^3.
     parts : (n + 1,) int64
         Number of the first part of each trajectory, and number of all parts. The parts of a trajectory have equal
         lengths.
     of_parts : (parts[-1],) float64
         Volume that the tool removes while the tool moves along each part, mm^3.
     rays : (cuts,) float64
-        Largest volume that each cut removes from one ray, mm^3. This volume is a lower bound of the error, because four
-        images can agree by chance.
+        Largest volume that each operation removes from one ray, mm^3. This volume is a lower bound of the error,
+        because four images can agree by chance.
     """
 
     each: np.ndarray
@@ -69,7 +69,7 @@ class Volumes:
     rays: np.ndarray
 
     def error(self, cuts: range) -> float:
-        """Return an upper bound (95 % confidence) of the error of the volume that several cuts remove, mm^3."""
+        """Return an upper bound (95 % confidence) of the error of the volume that several operations remove, mm^3."""
         together = self.images[:, cuts.start : cuts.stop].sum(axis=1)
         spread = float(together.std(ddof=1)) / sqrt(len(together))
         ray = float(self.rays[cuts.start : cuts.stop].max(initial=0.0))
@@ -128,7 +128,7 @@ def _parts(cuts: Cuts) -> np.ndarray:
 
 
 def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.ndarray:
-    """Return the number of the part of its move on which the tool's front removes each piece, (k,) int64."""
+    """Return, for each piece of a ray, the part of the move during which the tool's front removes it, (k,) int64."""
     trajectories = rays.trajectories
     item = np.searchsorted(trajectories.index, pieces.owner)
     (x, y, _), (ux, uy, run, _) = trajectories.start[:, item], trajectories.heading[:, item]
@@ -141,9 +141,9 @@ def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.nda
 
 
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
-    """Return the moves of a cut that can meet the stock, half the width of the strip along each move, and the pixel.
+    """Return an operation's moves that can meet the stock, the half widths of their strips, and the rays' distance.
 
-    The pixel is the distance between the rays in these strips. Both lengths are in mm.
+    A strip is the part of the image along a move in which rays are cut. Half widths and distance are in mm.
     """
     own = slice(int(cuts.first[number]), int(cuts.first[number + 1]))
     start, end = (ends[own] for ends in cuts.ends)

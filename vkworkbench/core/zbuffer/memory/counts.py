@@ -29,8 +29,8 @@ class Counts:
     Attributes
     ----------
     stock, gaps : float
-        Number of dexels of the uncut stock, and number of pieces of rays in gaps in the stock. Each such piece is
-        stored as a record.
+        Number of dexels of the uncut stock, and number of pieces of rays in gaps in the stock. Each piece of a ray in a
+        gap is stored as a record.
     dexels : float
         Number of dexels at the end of the simulation.
     traces, traces_error : float
@@ -91,9 +91,9 @@ def count(removal: Removal) -> Counts:
 
     covered, gaps = seen_areas(removal.stock, frame, rng)
     # A ray that is cut to its end has fewer dexels than in the uncut stock. A ray that is cut in the middle of a dexel
-    # has more.
+    # has more dexels than in the uncut stock.
     more, _ = rays.total(parts - first)
-    more = max(more, -covered)  # rounding errors can make the sum negative if all stock is removed
+    more = max(more, -covered)  # rounding errors must not make the number of dexels negative
     traces, error = rays.total(cuts)
     passed, _ = rays.total(passes)
     unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))

@@ -19,10 +19,10 @@ from vkworkbench.language import Message, Unusable
 
 # Default memory budget, bytes.
 BUDGET = 2e9
-# Memory for the temporary arrays of one band of the image, bytes. _BAND_ABOVE: memory for a band in a view from above.
-# _BAND_CLOSED: memory for a band in an oblique view if the swept volumes of all tools are computed by closed forms.
-# _BAND: memory for a band in all other cases. benchmarks/zbuffer.py measures the memory in views from above,
-# test_vk_zbuffer_memory.py in other views.
+# Memory for the temporary arrays of one band (`TILE` rows of pixels) of the image, bytes. _BAND_ABOVE: memory for a
+# band in a view from above. _BAND_CLOSED: memory for a band in an oblique view if the swept volumes of all tools are
+# computed by closed forms. _BAND: memory for a band in all other cases. benchmarks/zbuffer.py measures the memory in
+# views from above, test_vk_zbuffer_memory.py in other views.
 _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
 # `_BAND_CLOSED` is used only if the cosine of the angle between the view and the vertical is at least this value. In
 # views with a smaller cosine, which are more from the side, each ray meets so many trajectories that closed forms save
@@ -92,7 +92,7 @@ class Peak:
     stock : float
         Number of pieces on all rays through the uncut stock.
     band : float
-        Number of dexels, trace elements and gaps in the fullest band of the image.
+        Number of dexels, trace elements and gaps in the fullest band (`TILE` rows of pixels) of the image.
     pixels : int
         Number of pixels of the image.
     trajectories : int
@@ -256,7 +256,7 @@ def _peak(records: float, traces: float, stock: float, band: float, trajectories
 
 
 def _band_work(removal: Removal) -> float:
-    """Return the memory for the temporary arrays of one band, bytes."""
+    """Return the memory for the temporary arrays of one band (`TILE` rows of pixels), bytes."""
     if removal.sine == 0 and removal.cosine > 0:
         return _BAND_ABOVE
     closed = all(t.rounding == t.radius or t.rounding == t.steepness == 0 for t in removal.tools)

@@ -175,7 +175,7 @@ def _pieces_from_near_end(
 ) -> Pieces:
     """Return the pieces of rays whose intervals all begin at the near end and end at increasing depths."""
     end = near.copy()
-    end[ray] = leave  # for each ray, the end of its last interval remains
+    end[ray] = leave  # the end of each ray's last interval, because numpy keeps the last value
     whole = end < far
     size = np.bincount(ray, minlength=len(near)) + whole
     base = np.append(0, np.cumsum(size))
@@ -185,8 +185,9 @@ def _pieces_from_near_end(
         np.empty(base[-1]),
         np.empty(base[-1]),
     )
-    # Each interval gives one piece, and each ray whose far end is not cut gives one more piece. Therefore the index of
-    # an interval's piece is the number of earlier intervals plus the number of earlier rays whose far end is not cut.
+    # Each interval gives one piece of its ray, and each ray whose far end is not cut gives one more piece. Therefore
+    # the index of an interval's piece is the number of earlier intervals plus the number of earlier rays whose far end
+    # is not cut.
     at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
     pieces.owner[at], pieces.far[at] = trajectory, leave
     pieces.far[base[1:][whole] - 1] = far[whole]

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# Largest length of a piece that is joined to a neighbouring piece, mm. A smaller length would turn rounding errors
-# into pieces, and a larger length would attribute thin layers of material to the wrong trajectory.
+# Largest length of a piece of a ray that is joined to a neighbouring piece, mm. A smaller length would turn rounding
+# errors into pieces, and a larger length would attribute thin layers of material to the wrong trajectory.
 THINNEST = 1e-4
 # Length, mm, by which a trajectory must reach deeper than earlier trajectories to cut a ray. A smaller length would
 # count rounding errors as cuts, and a larger length would ignore real cuts.
@@ -126,8 +126,8 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
     if len(first) == 0:
         return cover
     level = np.frexp(last - first)[1] - 1
-    # The values of ranges with one length are sorted in descending order, so that the lowest of several values for a
-    # slot is written last.
+    # The ranges for one power of two are sorted by descending value: if several ranges are written to one element of
+    # `cover`, the lowest value is written last.
     order = np.lexsort((-value, level))
     bounds = np.searchsorted(level[order], np.arange(level.max() + 2))
     for power in range(level.max(), -1, -1):

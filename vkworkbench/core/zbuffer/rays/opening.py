@@ -84,8 +84,8 @@ def opened(
     np.greater(leave[1:] - leave[:-1], THINNEST, out=thick[1:])
     thick[start] = leave[start] - near > THINNEST
     if not thick.all():
-        # A piece no longer than THINNEST is joined to the previous piece, which then ends where the next longer piece
-        # begins.
+        # A piece of a ray no longer than THINNEST is joined to the previous piece, which then ends where the next
+        # longer piece begins.
         kept = np.flatnonzero(thick)
         count = np.add.reduceat(thick, start, dtype=np.int64)
         last = np.cumsum(count) - 1

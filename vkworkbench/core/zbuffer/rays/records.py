@@ -97,7 +97,7 @@ class Records:
     @cached_property
     def lengths(self) -> np.ndarray:
         """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # first: length of the gaps; last: length of the uncut pieces
+        total = np.zeros(self.trajectories + 2)  # [0]: length of the gaps; [-1]: length of the uncut pieces
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]

@@ -3,9 +3,9 @@
 
 At moment k (before trajectory k is simulated), the visible piece of a ray is the piece nearest to the eye that no
 trajectory before k removes. The owner of a piece is the number of the trajectory that removes the piece. A piece can
-become visible only if its owner is greater than the owners of all pieces between the eye and the piece. Owners that are
-greater than all owners nearer to the eye (the prefix maxima) ascend along the ray, so a binary search finds the visible
-piece for any k, whether the simulation runs forwards or backwards. The interval treap by Blasquez and Poiraudeau (2000)
+become visible only if the piece is removed later than all pieces between the eye and the piece. Owners that are greater
+than all owners nearer to the eye (the prefix maxima) ascend along the ray, so a binary search finds the visible piece
+for any k, whether the simulation runs forwards or backwards. The interval treap by Blasquez and Poiraudeau (2000)
 solves the same problem.
 """
 
@@ -42,9 +42,9 @@ class Picture:
     owner: np.ndarray
 
 
-# Smallest number of prefix maxima that are processed in one batch. Numpy holds the GIL for most of a batch, so a larger
-# batch would stop all other threads for more than a few milliseconds. In a smaller batch, the overhead of numpy's calls
-# would dominate.
+# Smallest number of prefix maxima (pieces of rays that are removed later than all pieces nearer to the eye) that are
+# processed in one batch. Numpy holds the GIL for most of a batch, so a larger batch would stop all other threads for
+# more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
 _BATCH = 1 << 17
 
 
@@ -61,7 +61,7 @@ class Surface:
         self._latest: Picture | None = None
 
     def prepare(self) -> None:
-        """Compute the tables of prefix maxima, which are needed to show the part at any moment.
+        """Compute the tables of the pieces that can become visible, which are needed to show the part at any moment.
 
         With many pieces, the computation takes so long that it must not run in the thread of the user interface.
         """
@@ -92,7 +92,7 @@ class Surface:
         return np.unique(self._removed(step, other)).astype(np.int64)
 
     def _removed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels of the prefix maxima that trajectories from `step` to `other` remove, with repetitions."""
+        """Return the pixels in which trajectories from `step` to `other` remove a visible piece, with repetitions."""
         first, pixels = self._by_owner
         result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
         return result
@@ -114,7 +114,10 @@ class Surface:
 
     @cached_property
     def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The prefix maxima along the rays: their trajectories, their pieces, and the first maximum of each pixel."""
+        """The prefix maxima: pieces that can become visible, their trajectories, and each pixel's first maximum.
+
+        The result contains the trajectories, the pieces, and the position of each pixel's first prefix maximum.
+        """
         records = self.records
         first = np.zeros(len(records.entry) + 1, np.int64)
         owners, pieces = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)

@@ -179,7 +179,7 @@ class ZBuffer:
         ----------
         step : int
             Number of simulated trajectories, from 0 (the uncut stock) to `trajectories` (the finished part). For the
-            moment before the cut `i`, `step` is ``cuts.first[i]``.
+            moment before the operation `i`, `step` is ``cuts.first[i]``.
 
         Raises
         ------

@@ -103,7 +103,7 @@ class _Rays:
         met = np.flatnonzero(np.diff(begin, append=len(hit)))
         start = begin[met]
         for first, own in zip(rows.tolist(), np.split(hit, begin[:: shape[1]][1:])):
-            own -= first  # the number of the pair of a tile and a trajectory remains
+            own -= first  # `own` now contains the numbers of pairs of a tile and a trajectory
         owner = self.trajectories.index.take(tiles.item).take(hit)
         ray, near, far = ray.ravel()[met], near.ravel()[met], far.ravel()[met]
         if enter is None and len(self.gaps.ray) == 0:

@@ -30,7 +30,7 @@ _WAIT = 0.05  # time between two calls of `going_on` while waiting for other pro
 def cut_bands(
     image: CutImage, helpers: Callable[[], int], going_on: Callable[[float], None]
 ) -> Generator[tuple[Records, int], None, None]:
-    """Cut all bands of an image, the lowest band first.
+    """Cut all bands (strips of `TILE` rows of pixels) of an image, the lowest band first.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class _Shared:
         return len(self._todo)
 
     def divide(self, processes: int) -> None:
-        """Divide the pending bands into regions, `_REGIONS` for each process if the bands are wide enough."""
+        """Divide the pending bands (strips of pixel rows) into regions, if possible `_REGIONS` for each process."""
         with self._changed:
             bands = list(self._todo)
             self._todo.clear()
@@ -123,7 +123,7 @@ class _Shared:
             self._changed.notify()
 
     def give_back(self, region: Region) -> None:
-        """Let a region wait again until it is cut."""
+        """Mark a region as pending again, because cutting this region failed."""
         with self._changed:
             self._todo.appendleft(region)
             self._changed.notify()
@@ -133,7 +133,7 @@ class _Shared:
         return all(region in self._found for region in self._regions[band])
 
     def wait(self, band: Region, seconds: float) -> None:
-        """Wait at most `seconds` until a band is finished or a region is pending."""
+        """Wait at most `seconds` until a band (strip of pixel rows) is finished or a region is pending."""
         with self._changed:
             self._changed.wait_for(lambda: self.has(band) or self._todo, seconds)
 

@@ -61,7 +61,7 @@ class Moves(Cuts):
 
 @dataclass(frozen=True, eq=False)
 class Alternation:
-    """The moves of tools and of their bodies, in one sequence.
+    """The moves of tools and of their bodies (non-cutting parts), in one sequence.
 
     Attributes
     ----------
@@ -87,14 +87,14 @@ def alternate(
     parts: np.ndarray | int = 1,
     lifted: bool = False,
 ) -> Alternation:
-    """Return the moves of a job's tools; each move that carries a body is preceded or followed by the move of the body.
+    """Return the moves of a job's tools; where `carries` is True, the body moves before or after its tool.
 
     Parameters
     ----------
     cuts : Cuts
         The operations of the job.
     bodies : sequence of Body or None
-        Body of each cut's tool; None if the tool has no body.
+        Body (non-cutting part) of the tool of each operation; None if the tool has no body.
     carries : (n,) bool
         Whether the body moves along with the tool on each trajectory.
     body_first : bool

@@ -60,9 +60,9 @@ class Source:
     Attributes
     ----------
     cut : int
-        Number of the cut in the job.
+        Number of the operation (cut) in the job.
     trajectory, command : int
-        Number of the trajectory in the cut's toolpath, and index of the command from which it was made.
+        Number of the trajectory in the operation's toolpath, and index of the command from which it was made.
     """
 
     cut: int
@@ -73,7 +73,7 @@ class Source:
 class Cuts:
     """The operations of a job in machining order, with consecutive numbers for all their trajectories.
 
-    The moves between two cuts are unknown. The simulation assumes that these moves remove nothing.
+    The moves between two operations (cuts) are unknown. The simulation assumes that these moves remove nothing.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ class Cuts:
     ----------
     cuts : tuple of Cut
     first : (c + 1,) int64
-        Number of each cut's first trajectory. The last entry is the total number of trajectories.
+        Number of the first trajectory of each operation (cut). The last entry is the total number of trajectories.
 
     Raises
     ------
@@ -99,7 +99,7 @@ class Cuts:
         self.first = np.append(0, np.cumsum([len(cut.toolpath) for cut in self.cuts])).astype(np.int64)
 
     def __len__(self) -> int:
-        """Return the number of trajectories in all cuts."""
+        """Return the number of trajectories in all operations."""
         return int(self.first[-1])
 
     @property
@@ -111,7 +111,7 @@ class Cuts:
         return np.concatenate((nothing, *starts)), np.concatenate((nothing, *ends))
 
     def blocks(self, size: int) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield batches of `size` trajectories: numbers of their cuts, (k,) int64, and start and end points, (k, 3) mm."""
+        """Yield batches of `size` trajectories: numbers of operations, (k,) int64, start and end points, (k, 3) mm."""
         own = [np.asarray(cut.toolpath.points, float) for cut in self.cuts if len(cut.toolpath)]
         points = np.concatenate((np.empty((0, 3)), *own))
         ahead = np.cumsum(np.diff(self.first) > 0) - 1  # each toolpath has one more point than trajectories
@@ -132,7 +132,7 @@ class Cuts:
 
     @cached_property
     def command(self) -> np.ndarray:
-        """Index of each trajectory's source command in its cut, (n,) int64."""
+        """Index, in the operation, of the command from which each trajectory was made, (n,) int64."""
         return self._column("command", np.int64)
 
     @cached_property
@@ -147,7 +147,7 @@ class Cuts:
 
     @cached_property
     def cut(self) -> np.ndarray:
-        """Number of the cut to which each trajectory belongs, (n,) int64."""
+        """Number of the operation (cut) to which each trajectory belongs, (n,) int64."""
         return np.repeat(np.arange(len(self.cuts)), np.diff(self.first))
 
     def source(self, trajectory: int) -> Source:

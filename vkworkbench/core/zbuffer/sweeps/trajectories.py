@@ -116,7 +116,7 @@ class Trajectories:
         return spans_in(self.stock, self.frame)
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-        """Group `item` (k,), positions in `index`, by kind; yield each kind's number and its places in `item`."""
+        """Group `item` (k,), positions in `index`, by `kind`; yield each kind, as in `kinds`, and places in `item`."""
         return _divided(self.kind, len(self.kinds), item)
 
     def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
