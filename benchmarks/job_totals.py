@@ -117,7 +117,7 @@ def spread(values) -> str:
 
 
 def analyses(document) -> None:
-    """Print how long an analysis of the example job takes: without z-buffer costs, with costs, with the total cost."""
+    """Print the times for an analysis of the example job, for its operations' z-buffer costs, and for its total cost."""
     least = [np.inf] * 3
     for _ in range(RUNS):
         RESULTS.clear()

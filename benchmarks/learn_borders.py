@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Learn which retracts separate two operations, and write vkworkbench/core/recognition/programs/borders.npz.
+"""Learn which retracts of a program separate operations, and write vkworkbench/core/recognition/programs/borders.npz.
 
     python3 benchmarks/learn_borders.py PROGRAMS.jsonl.gz OPERATIONS.jsonl.gz ... [--write]
 
@@ -32,9 +32,10 @@ from vkworkbench.core.recognition.thresholds import VISITS
 from vkworkbench.core.recognition.verdict.model import Trees
 
 FOREST = {"n_estimators": 32, "max_leaf_nodes": 100, "max_features": 0.5, "random_state": 1, "n_jobs": -1}
-MANY = 60  # maximum number of retracts inside the sections of a program, so that no raster outweighs all other programs
+MANY = 60  # maximum number of a program's retracts inside sections, because a raster can have very many retracts
 FOLDS = 10
-# Weight of a border in a program, because programs have few borders; and weight of a retract in joined operations.
+# Weights of a retract in the fit of the trees: a retract between two operations of a program, because programs have few
+# such retracts; and any retract in single and joined operations. All other retracts in programs have the weight 1.
 BORDERS_OF_PROGRAMS, OF_JOINED = 4.0, 0.5
 
 
@@ -60,7 +61,7 @@ def examples(path, sections) -> tuple[np.ndarray, np.ndarray] | None:
 
 
 def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarray, ...]:
-    """Return five arrays on all retracts: their measures, whether they are borders, their groups, weights and kinds."""
+    """Return five arrays on all retracts: measures, whether they are borders, groups, weights in the fit, kinds."""
     x, y, group, weight, kind = [], [], [], [], []
     single = [r for r in single if len(r.path) < JOINED]
     sources = ("programs", of_programs), ("operations", single), ("joined", joined(single, 500))
@@ -79,15 +80,15 @@ def retracts(of_programs: list[Record], single: list[Record]) -> tuple[np.ndarra
 
 
 def learn(x, y, weight) -> Trees:
-    """Learn the trees from the retracts with the measures x (n, m), the borders y (n,) and the weights (n,)."""
+    """Learn the trees from n retracts: their measures x (n, m), y (n,) = 1 between two operations, and weights (n,)."""
     return exported(RandomForestClassifier(**FOREST).fit(x, y, weight), 2)
 
 
 def left_out(x, y, group, weight) -> tuple[dict[str, Trees], np.ndarray]:
-    """Learn the trees several times, each time without one fold of the groups.
+    """Learn the trees several times, each time without the retracts in one fold of the groups (repositories and parts).
 
     Return for every group the trees that were learned without it, and for every retract the share of votes that it
-    is a border.
+    is a border between two operations.
     """
     groups = sorted(set(group))
     fold = dict(zip(np.random.default_rng(0).permutation(groups).tolist(), (np.arange(len(groups)) % FOLDS).tolist()))

@@ -42,8 +42,8 @@ USUAL = 1e-6 * np.array([2, 0.03, 0.005, 300, 0.035, 0.18, *[0.06, 0.35] * 8, *[
 RIDGE = 0.3
 STEPS = 20_000
 # Columns of the amounts of work (see `Work`): trajectories, pixels, pairs of a trajectory and a tile of the largest
-# size, and batches; then the stored records in a vertical and in an oblique view; then tests and cells by kind; then
-# sorted cells.
+# size, and batches; then the stored records (dexels, trace elements and gaps) in a vertical and in an oblique view; then
+# tests and cells (pairs of a pixel and a trajectory that cuts its ray) by kind of trajectory; then sorted cells.
 PLAIN, RECORDS, TESTS, CELLS, SORTED = slice(0, 4), slice(4, 6), slice(6, 22), slice(22, 38), slice(38, 39)
 
 
@@ -64,7 +64,7 @@ def runs():
 
 
 def operations(rng):
-    """Yield the number of the toolpath, the toolpath, the tool and the stock of each operation."""
+    """Yield the number of its toolpath, the toolpath, the tool and the stock of each operation."""
     for source, (_, _, maker) in enumerate(SAMPLES):
         toolpath = linearize(maker(rng))
         for shape in rng.permutation(4)[:2]:

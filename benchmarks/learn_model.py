@@ -36,7 +36,7 @@ from vkworkbench.core.recognition.verdict.model import FILE, Model, Trees, log_o
 VALUES = tuple(s.value for s in STRATEGIES)
 UNKNOWN = STRATEGIES.index(Strategy.UNKNOWN)
 FOLDS = 10
-#: Weights of a table row, by its kind, for learning the strategies, the nonsense toolpaths, and the confidence.
+#: Weights of a table row, by its kind, in three fits: of the strategies, of nonsense toolpaths, and of the confidence.
 #: Programs have large weights, because users have programs, but the table has few of them.
 WEIGHTS = {
     "program": (4.0, 6.0, 1.0),
@@ -46,7 +46,7 @@ WEIGHTS = {
     "made": (3.0, 2.0, 0.0),
     "nonsense": (0.0, 2.0, 0.0),
 }
-BEST = 2.0  # weight of the best label of a row; all other labels of the row have the weight 1
+BEST = 2.0  # weight of a row's best label in the fit of the strategies; all other labels of the row have the weight 1
 # Random forests (Breiman 2001) recognise the strategy more accurately. Extremely randomised trees (Geurts, Ernst and
 # Wehenkel 2006) recognise more kinds of nonsense toolpaths that the learning did not use. More trees or leaves
 # improve the accuracy only a little, and the model's file already has 200 kB.
@@ -115,11 +115,11 @@ class Examples:
         return cls(*map(np.array, zip(*found)), np.array(list(known)))
 
     def weight(self, which: int) -> np.ndarray:
-        """Return one weight of every row: `which` is the position in WEIGHTS."""
+        """Return the weight of every row in one of the three fits; `which` is the position of the fit in WEIGHTS."""
         return np.array([WEIGHTS[kind][which] for kind in self.kind])
 
     def folds(self, by: str) -> np.ndarray:
-        """Return the fold of every row, 0 .. FOLDS - 1. All rows of a group or system have the same fold."""
+        """Return the fold of every row, from 0 to FOLDS - 1. All rows of a group or system have the same fold."""
         sources = np.unique(getattr(self, by))
         fold = np.empty(len(sources), int)
         fold[np.random.default_rng(0).permutation(len(sources))] = np.arange(len(sources)) % FOLDS
@@ -127,7 +127,7 @@ class Examples:
 
 
 def kind_of(row: dict[str, str], *, told: bool, tool: bool) -> str:
-    """Return the key of a row's WEIGHTS. `told`: another row of the operation has the tool."""
+    """Return the key of a row's WEIGHTS. `told` is true if another row of the operation has the tool's diameter."""
     if row["kind"] == "program" and tool:
         return "program, told"
     return "freecad without tool" if row["kind"] == "freecad" and told and not tool else row["kind"]

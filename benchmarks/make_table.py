@@ -85,7 +85,8 @@ class Labelled(NamedTuple):
 
 MADE = ("made", "nonsense")
 KINDS = ("program", "freecad", *MADE)
-ROUNDING = 0.001  # largest relative or absolute difference between equal measures, because the table has four digits
+# Largest absolute or relative difference at which two measures count as equal, because the table has four digits.
+ROUNDING = 0.001
 COLUMNS = (*Labelled._fields[:6], "tool", "rules", "letter")
 
 
@@ -194,7 +195,7 @@ def rows_of_source(source: Callable[[], Iterable[Labelled]]) -> list[dict[str, s
 
 
 def identity(row: dict[str, str]) -> tuple[str, ...]:
-    """Return the values that identify the operation of a row and its tool."""
+    """Return the values of a row that identify its operation and its tool."""
     return row["source"], row["place"], row["tool"]
 
 

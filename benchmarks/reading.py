@@ -160,7 +160,7 @@ class Operation:
 
 
 KINDS = (scan, zigzag, offsets, adaptive, bores, waterline, holes)
-FEW = {bores: 0.1, holes: 0.1}  # factors for the number of commands: realistic bores and holes have few commands
+FEW = {bores: 0.1, holes: 0.1}  # these operations have fewer commands by this factor, because bores and holes are short
 
 
 def job():

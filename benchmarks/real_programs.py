@@ -38,14 +38,14 @@ from vkworkbench.language import Unusable
 
 
 def commands(path: Toolpath, first: int, last: int) -> list[tuple[str, dict[str, float]]]:
-    """Return the straight trajectories first .. last as commands, after a rapid to the start of the first one."""
+    """Return the straight trajectories from `first` to `last` as commands, after a rapid to the start of `first`."""
     to = [dict(zip("XYZ", map(float, point))) for point in path.points[first : last + 2].round(6)]
     moves = zip(path.rapid[first : last + 1], to[1:], path.feed[first : last + 1])
     return [("G0", to[0]), *(("G0" if rapid else "G1", {**at, "F": float(feed)}) for rapid, at, feed in moves)]
 
 
 def told_diameter(titled: Sequence[Section], path: Toolpath, first: int, end: int) -> float | None:
-    """Return the diameter, mm, that the program states for the tool halfway through trajectories first .. end - 1."""
+    """Return the diameter, mm, that the program states for the tool in the middle of an operation's cuts."""
     cuts = first + np.flatnonzero(~path.rapid[first:end])
     middle = path.command[cuts[len(cuts) // 2]] if len(cuts) else -1
     return next((s.tool.diameter for s in titled if s.tool and s.first <= middle <= s.last), None)
@@ -60,7 +60,7 @@ class Labelled:
     row : dict of str
         The operation's row in the table.
     first, end : int
-        The operation consists of the program's trajectories first .. end - 1.
+        The operation consists of the program's trajectories from `first` to `end` - 1.
     tool : float or None
         Diameter of the tool that the program states, mm; None if unknown.
     """

@@ -15,8 +15,8 @@ from vkworkbench.core.recognition.verdict import decide
 def report_sources(files: list[str], programs: str | None) -> None:
     """Print the accuracy on the labelled operations, and how well whole programs and pairs of operations are divided.
 
-    The strategies and borders in each tenth of the repositories and parts are judged by models learned without this
-    tenth.
+    The strategies of operations and the borders between operations in each tenth of the repositories and parts are
+    judged by models learned without this tenth.
     """
     e = Examples.read()
     judge(e)

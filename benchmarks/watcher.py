@@ -94,7 +94,9 @@ def main():
     recompute(document, job)
     without, with_watcher, shares = [], [], []
     for turn in range(2 * TURNS):
-        if turn % 4 in (1, 2):  # without, with, with, without: a drift of the computer's speed affects both equally
+        # In each four turns, the second and the third have the watcher, so that a drift of the computer's speed affects
+        # the times with and without the watcher equally.
+        if turn % 4 in (1, 2):
             FreeCAD.addDocumentObserver(observer)
             Timed.seconds, Timed.calls = 0.0, 0
             with_watcher.append(recompute(document, job))

@@ -13,10 +13,11 @@ from vkworkbench.core import Recognition, Strategy
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.recognition import recognize
 
-# A section counts as right if at least this share of its cutting length is in spans with a right strategy: in a
-# program, and in a pair of operations.
+# Minimum share of a section's cutting length that must be in spans with a right strategy, so that the section counts as
+# recognised rightly: for a section of a whole program, and for each operation of a joined pair.
 NAMED, IN_PLACE = 0.5, 0.9
-NEAR = 0.02  # maximum distance of a found border from the true border, as a share of the section's length
+# Maximum distance of a found border between sections from the true border, as a share of the section's length.
+NEAR = 0.02
 PAIRS, SEEDS = 200, 20
 
 
@@ -56,7 +57,7 @@ def covered(record: Record, found: Recognition, reached: np.ndarray) -> list[flo
 
 
 def compare(record: Record, found: Recognition, reached: np.ndarray, borders: Borders) -> None:
-    """Count the borders of a program, and add the numbers to `borders`."""
+    """Count the true and reported borders between the sections of a program, and add the numbers to `borders`."""
     said = [(reached[a.last + 1], reached[b.first]) for a, b in zip(found.spans, found.spans[1:])]
     true = []
     for s, t in zip(record.sections, record.sections[1:]):
@@ -85,7 +86,7 @@ def reached(record: Record) -> np.ndarray:
 
 
 def report_programs(file: str, learn=lambda group: None) -> None:
-    """Print how many labelled sections of whole programs get a right strategy, and how well the borders are found.
+    """Print how many labelled sections of whole programs get a right strategy, and how well they are separated.
 
     `learn` is called with the group of a program before the program is recognised.
     """
@@ -108,7 +109,10 @@ def report_programs(file: str, learn=lambda group: None) -> None:
 
 
 def report_joined(records: list[Record], learn=lambda group: None) -> None:
-    """Print how many pairs of operations, joined by a rapid, are separated. For `learn`, see `report_programs`."""
+    """Print how many pairs of operations, joined by a rapid, are divided into the two operations.
+
+    For `learn`, see `report_programs`.
+    """
     single = [r for r in records if r.sections and len(r.path) < JOINED]
     pairs = [r for r in joined(single, 2 * PAIRS) if not r.sections[0].accepted & r.sections[1].accepted][:PAIRS]
     if pairs:

@@ -157,10 +157,10 @@ class Job:
             if fault == "short":
                 sizes.update(holder_diameter=None, holder_length=None)
         elif rng.random() < 0.5 and fault not in ("no retract", "wall", "clamp"):
-            # Half of these jobs have flutes that are only slightly longer than a depth step, with a shank of the same
-            # diameter. All other jobs have a holder just above the block. Jobs with the faults in the condition are
-            # excluded: their moves beside the pocket are too deep for these flutes, or their clamp collides with this
-            # holder.
+            # Half of the jobs that get here have flutes that are only slightly longer than a depth step, with a shank of
+            # the same diameter. The other half have a holder just above the block. Jobs with the faults in the condition
+            # are excluded: their moves beside the pocket are too deep for these flutes, or their clamp collides with
+            # this holder.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)

@@ -34,7 +34,8 @@ NODES = 6
 # Number of equal parts into which a range of heights is divided. The range is divided because the cut figures can grow
 # with the height, and can begin to touch each other at any height.
 PARTS = 5
-# Minimum number of intervals per radius of a figure, and the number of intervals per radius that all figures share.
+# Minimum number of intervals of integration per radius of a figure, and the number of intervals per radius that is
+# divided among all figures.
 # With enough breaks, the crossings of a figure with other figures and with the edges of the stock lie in short
 # intervals.
 BREAKS, BREAKS_TOGETHER = 4, 200
@@ -177,8 +178,8 @@ def figures(segments, z) -> np.ndarray:
         low, high = (start, end) if start[2] <= end[2] else (end, start)
         if low[2] >= z:
             continue
-        # The tool is treated as infinitely long, so only the part of a move below this height counts. Only tools with
-        # flat ends have sloping moves.
+        # The tool is treated as infinitely long, so only the part of a move below the height z cuts here. Only tools
+        # with flat ends have sloping moves.
         share = min(1.0, (z - low[2]) / (high[2] - low[2])) if high[2] > low[2] else 1.0
         if tool.shape != "endmill" and high[2] > low[2]:
             share = 0.0  # a vertical move cuts the same area as its lower end
@@ -207,8 +208,8 @@ def area_of(found, width, height) -> float:
         for cx, cy in ((ax, ay), (bx, by)):
             half = np.sqrt(np.where(np.abs(y - cy) <= radius, radius**2 - (y - cy) ** 2, np.nan))
             begin, end = np.fmin(begin, cx - half), np.fmax(end, cx + half)
-        # The rectangle between the discs: from 0 to the length along the segment, and up to the radius perpendicular to
-        # it.
+        # The rectangle between the discs at both ends of the segment: from 0 to the length along the segment, and up to
+        # the radius perpendicular to the segment.
         nearer, farther = slab(ux, (y - ay) * uy, 0.0, length)
         left, right = slab(-uy, (y - ay) * ux, -radius, radius)
         left, right = ax + np.maximum(left, nearer), ax + np.minimum(right, farther)
@@ -234,7 +235,7 @@ def slab(slope, offset, low, high):
 
 
 def nodes(low, high, count):
-    """Return nodes and weights of integrals from `low` to `high` (k,).
+    """Return nodes and weights for integration (Gauss quadrature) from `low` to `high` (k,).
 
     The integrands can have vertical tangents at both ends.
     """

@@ -227,7 +227,7 @@ def spiral_program():
 
 
 def add_surprises(doc):
-    """Add an imported program, and a pattern without a recompute: only their toolpaths show their strategies."""
+    """Add an imported program, and set a pattern without a recompute, so that a toolpath contradicts its pattern."""
     job = doc.getObject("Job")
     before = job.Operations.Group
     with tempfile.TemporaryDirectory() as folder:
