@@ -62,8 +62,8 @@ class Examples:
     Attributes
     ----------
     kind, group, system : (n,) str
-        `kind` is the key of the row's WEIGHTS. `group` is the repository, part or kind whose rows are left out of the
-        learning together. `system` is the CAM system, by which rows can be left out instead.
+        `kind` is the key of the row's WEIGHTS. `group` is the repository, part or kind of toolpath whose rows are left
+        out of the learning together. `system` is the CAM system, by which rows can be left out instead.
     x : (n, m) float
         Features.
     accepted : (n, c) bool

@@ -64,8 +64,8 @@ class Labelled(NamedTuple):
     source, place : str
         Origin of the toolpath: the address of a file and the lines in it, or a command and a part of its output.
     group, system : str
-        Repository, part or kind, and CAM system. Toolpaths of one group or of one system are left out of the learning
-        together.
+        Repository, part or kind of toolpath, and CAM system. Toolpaths of one group or of one system are left out of
+        the learning together.
     strategies : str
         The strategies that count as right, the best first, separated by spaces.
     path : Toolpath
@@ -144,7 +144,7 @@ def of_freecad(file: Path) -> Iterator[Labelled]:
 
 
 def of_sample(name: str, number: int) -> Iterator[Labelled]:
-    """Yield the toolpaths that one sample from the SAMPLES of a module makes."""
+    """Yield the toolpaths that one function in the SAMPLES of a module of toolpaths/ makes."""
     label, accepted, make = MODULES[name].SAMPLES[number]
     best = "zigzag" if "zigzag" in accepted else "mixed" if "mixed" in accepted else min(accepted)
     strategies = " ".join([best, *sorted(accepted - {best})])

@@ -31,11 +31,11 @@ def shape(tool):
 
 
 def in_rounds(runs):
-    """Run each simulation, given as a kind and a function, a few times in turns.
+    """Run each simulation a few times, in turns with the other simulations.
 
-    The simulations take turns, so that a slow minute of the computer affects only one run of each simulation. Return
-    the times of each simulation, s, without the runs from which the host took time; None for a simulation that did not
-    end.
+    `runs` has a kind and a function for each simulation. Because the simulations take turns, a slow minute of the
+    computer affects only one run of each simulation. Return the times of each simulation, s, without the runs from
+    which the host took time; None for a simulation that did not end.
     """
     times = [[] for _ in runs]
     for turn in range(max(ROUNDS.values())):

@@ -42,7 +42,7 @@ class Section:
 class Record:
     """A labelled toolpath. `group` is the toolpath's repository or part, and `system` is its CAM system.
 
-    Each kind of synthetic toolpath is a separate group and a separate system.
+    Each kind of synthetic toolpath has a group and a system of its own.
     """
 
     id: str

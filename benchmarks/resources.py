@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Compare the estimated cost of the extended z-buffer with the exact counts of the simulator.
+"""Compare the estimated cost of the extended z-buffer with the cost of exact simulations.
 
     python3 benchmarks/resources.py [time] [FILE.jsonl.gz ...]
 

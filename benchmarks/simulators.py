@@ -8,8 +8,8 @@ The script simulates the operations of the example job, and up to 60 operations 
 VKWORKBENCH_CORPUS. The names of these files are separated by colons. The files have JSON lines (id, label,
 tool_diameter, stock, commands) and may be gzipped. Errors are ratios of the larger to the smaller of prediction and
 measurement. Times are valid only on an idle computer. Runs from which the host of a virtual machine took time are left
-out. The median run of each simulation counts, because the shortest run would favour short simulations, which fit into
-the fast moments of a shared processor.
+out. The time of a simulation is the time of its median run, because the shortest run would favour short
+simulations, which fit into the fast moments of a shared processor.
 """
 
 from __future__ import annotations

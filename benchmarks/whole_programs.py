@@ -126,7 +126,7 @@ def report_joined(records: list[Record], learn=lambda group: None) -> None:
 
 
 def report_nonsense() -> None:
-    """Print how often the verdict on nonsense toolpaths is unknown."""
+    """Print how often nonsense toolpaths get the strategy `unknown`, as they should."""
     unknown = [
         recognize(linearize(nonsense.commands(kind, np.random.default_rng([seed, 3])))).strategy is Strategy.UNKNOWN
         for kind in nonsense.KINDS

@@ -234,8 +234,8 @@ def _toolpath(rng, fine=False):
     return np.concatenate([corners[:1], *(a + between * (b - a) for a, b in zip(corners, corners[1:]))])
 
 
-#: Kinds of toolpaths that may contain lifts. All other kinds must not contain lifts, because smooth curves and strokes
-#: with lifts are an engraving.
+#: Kinds of nonsense toolpaths that may contain lifts. All other kinds in this file must not contain lifts, because
+#: smooth curves and strokes with lifts are an engraving.
 RANDOM = (
     brownian_loop, self_avoiding_walk, ant, billiard, iterated_map, sorted_noise, noise_around, noise_outward, clusters,
     binary_coordinates, digits, shuffled_moves, shuffled_points, shuffled_stretches, shaken, mutated_walk,

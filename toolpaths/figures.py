@@ -100,7 +100,7 @@ def flower_of_arcs(rng):
 
 
 def recaman(rng):
-    """Half circles between the numbers of Recaman's sequence."""
+    """Half circles between successive numbers of Recaman's sequence on a line."""
     seen, at, found = {0}, 0, []
     for k in range(1, int(rng.integers(25, 90))):
         to = at - k if at - k > 0 and at - k not in seen else at + k

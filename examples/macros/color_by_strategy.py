@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draw each toolpath in the colour of its strategy. One undo restores the old colours."""
+"""Draw each toolpath in the colour of its strategy. One undo restores the toolpaths' old colours."""
 
 from __future__ import annotations
 

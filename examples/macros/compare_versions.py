@@ -10,11 +10,14 @@ import FreeCAD
 
 import vkworkbench
 
-SAME = 0.001  # largest relative difference of equal lengths or times
+SAME = 0.001  # two lengths or times count as equal up to this relative difference
 
 
 def compare(old, new):
-    """Return one sentence for each difference between two documents. Operations with equal labels are compared."""
+    """Return one sentence for each difference between two documents.
+
+    An operation is compared with the operation that has the same label.
+    """
     before, after = ({o.label: o for o in vkworkbench.analyze(document).operations} for document in (old, new))
     found = [f"{label}: is missing" for label in before if label not in after]
     found += [f"{label}: is new, {o.strategy}" for label, o in after.items() if label not in before]
