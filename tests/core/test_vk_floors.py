@@ -77,7 +77,7 @@ OUTSIDE = {
 
 
 def read(folder: str) -> dict[str, str]:
-    """Return the source texts below a folder by module name, e.g. ``"vkworkbench.core.paper.areas"``."""
+    """Return the source texts below a folder by module name, such as ``"vkworkbench.core.paper.areas"``."""
     found = {}
     for path in sorted((ROOT / folder).rglob("*.py")):
         parts = path.relative_to(ROOT).with_suffix("").parts

@@ -53,7 +53,8 @@ class Quantity:
         return self.value
 
 
-NUMBERS = {  # By the name of the argument: functions with a number that must be finite and not negative.
+# Functions with an argument that must be a finite number, and not negative, by the name of this argument.
+NUMBERS = {
     "memory_budget": lambda given: simulate(PATH, **WITH, memory_budget=given),
     "tolerance": lambda given: facts(DONE, CrashCheck(), tolerance=given),
     " tolerance": lambda given: linearize([], tolerance=given),

@@ -11,7 +11,7 @@ def told(text):
     return path, [problem.what.code for problem in path.problems]
 
 
-def test_full_circles_do_not_outvote_an_arc_with_coordinates():
+def test_one_arc_with_absolute_centre_outweighs_full_circles():
     path, said = told("G2 X30 Y20 I5 J0\nG1 X31\nG2 X31 Y20 I6 J0\nG1 X30\nG3 X20 Y30 I20 J20\n")
     assert said == ["absolute-centres"]
     assert abs(path.points[-1] - (20, 30, -1)).max() < 1e-9

@@ -9,7 +9,7 @@ import pytest
 from vkworkbench.core import linearize
 from vkworkbench.core.gcode.moves.linearize import MOST_TRAJECTORIES
 
-# Seeds of programs that once failed, by cause.
+# Seeds of random programs with which the core once failed, by the cause of the failure.
 FAILED = {
     "chords finer than any number": [116, 147, 302, 441],
     "a list as a word": [201],
@@ -36,7 +36,7 @@ def test_programs_that_once_failed_do_not_fail(seed):
 
 
 def test_flat_end_moving_almost_along_the_ray_does_not_fail():
-    result = fuzz.feed(62133)  # This seed has another view than `flat_program`.
+    result = fuzz.feed(62133)  # `feed` draws a view that is not the view from above.
     assert not result.failed, result.outcome
 
 

@@ -425,7 +425,7 @@ def test_hole_without_a_known_start_height_begins_at_0():
     assert path(("G81", {"X": 5, "Y": 5, "Z": -2.0})).points[:, 2].tolist() == [0, -2, 0]
 
 
-def test_radius_error_of_long_chord_may_be_larger():
+def test_allowed_radius_error_of_an_arc_grows_with_its_chord():
     toolpath = path(("G0", {"X": 0, "Y": 0, "Z": 0}), ("G2", {"X": 200, "R": 99.99}))
     assert toolpath.sweep.sum() == pytest.approx(-np.pi) and toolpath.problems == ()
 

@@ -129,7 +129,7 @@ def test_series_of_holes_has_the_programmed_depths(text, holes):
     assert path.problems == ()
 
 
-def test_g99_returns_to_r_and_g98_to_the_initial_height():
+def test_g99_returns_to_r_plane_and_g98_to_initial_height():
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10. R2. F100.\nG91 X10. K9\nG90 G80")[-1] == [90, 0, 2]
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nG80\nG98 G81 X10")[-1] == [10, 0, 2]
     assert points("G0 Z50\nG99 G81 X0 Y0 Z-10 R2 F100\nX10\nG98 X20\nG80\nG0 X100")[-2:] == [[20, 0, 50], [100, 0, 50]]
@@ -144,7 +144,7 @@ def test_number_of_repeats_does_not_depend_on_the_unit(inches):
 
 
 @pytest.mark.parametrize("code", ["G73", "G83"])
-def test_peck_words_of_haas_are_not_repeats(code):
+def test_peck_words_of_haas_are_not_read_as_repeats(code):
     text = f"G20\nG0 X0 Y0 Z1.\nG99 {code} X1. Z-1. R.1 {{}} F8.\nX2.\nG80"
     pecked = points(text.format("Q.3"))
     for words, unread in (
@@ -373,7 +373,7 @@ def test_siemens_words_equal_standard_words():
     assert siemens.problems == other.problems == ()
 
 
-def test_corner_words_of_fanuc_leave_the_move():
+def test_move_with_corner_words_of_fanuc_is_read():
     assert points(PLAIN + "X10. ,R5.\nY9. ,C2.") == [list(p) for p in POINTS] + [[10, 9, -1]]
 
 
@@ -540,7 +540,7 @@ def test_text_is_a_program_if_half_of_its_lines_are_words():
         ("G1 X0 Y0 U0 V0 F100\nG1 X10 Y1 U10 V2", "Line 1: U, V shows a program for a wire cutter."),
     ],
 )
-def test_program_for_another_machine_is_named(text, sentence):
+def test_program_for_another_machine_has_a_message(text, sentence):
     assert render(read_program(text).other).startswith(sentence)
 
 
@@ -643,7 +643,7 @@ def test_absolute_arc_centres_are_read_with_a_remark():
 
 
 @pytest.mark.parametrize(("absolute", "said"), [(True, "G91.1"), (False, "G90.1")])
-def test_program_statement_decides_about_arc_centres(absolute, said):
+def test_g90_1_and_g91_1_decide_how_arc_centres_are_read(absolute, said):
     assert [problem.what.code for problem in rounded(absolute, said).problems] == ["arc-of-changing-radius"]
     assert not rounded(not absolute, said).problems
 
@@ -662,7 +662,7 @@ def test_move_beside_a_code_without_axis_words_is_read(code):
 
 
 @pytest.mark.parametrize("code", ["G28.1", "G30.1"])
-def test_axis_words_beside_a_stored_position_are_named(code):
+def test_axis_words_beside_g28_1_are_named_in_a_remark(code):
     """Mach3 homes the axes, and LinuxCNC moves the tool to the axis words."""
     assert said(PLAIN + f"G1 X5 Y4 {code}") == [
         f"Line 5: The unknown code '{code}' is ignored, and the X, Y words of its line with it."
@@ -674,12 +674,12 @@ def test_g43_1_with_a_length_moves_only_beside_a_motion_code():
     assert points(PLAIN + "G1 X5 G43.1 Z2")[-1] == [5, 2, 2]
 
 
-def test_axis_words_of_g92_1_are_named_in_a_program_for_fanuc():
+def test_axis_words_of_g92_1_have_a_remark_in_fanuc_programs():
     path = read_program("O1000\n" + PLAIN + "G92.1 X0 Y0\nX5").toolpath()
     assert [problem.what.code for problem in path.problems] == ["coordinates-not-changed"]
     assert path.points[-1].tolist() == [5, 2, -1]
 
 
-def test_turning_cycle_in_a_program_for_a_mill_is_named():
+def test_turning_cycle_in_a_program_for_a_mill_has_a_remark():
     path = read_program(PLAIN + "Y9\nG71 P10 Q20 U1\nX5").toolpath()
     assert [problem.what.code for problem in path.problems] == ["unknown-code"]

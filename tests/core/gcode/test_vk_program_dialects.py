@@ -28,7 +28,7 @@ def test_work_offsets_of_haas_and_siemens_are_known(code):
     ]
 
 
-def test_g154_of_haas_has_a_remark_for_another_number():
+def test_change_from_g154_p1_to_p2_of_haas_has_a_remark():
     assert said("G154 P1\n" + PLAIN + "G154 P1\nX5\nG154 P2\nX6") == [
         "Line 8: G154 is ignored. The coordinates after it are read as if it were not there."
     ]
@@ -85,7 +85,7 @@ def test_machine_positions_of_heidenhain_are_not_coordinates():
     assert [problem.what.code for problem in program.problems] == ["machine-height", "machine-position"]
 
 
-def test_g90_and_g91_of_heidenhain_apply_from_their_place_on():
+def test_g90_and_g91_of_heidenhain_apply_to_the_words_after_them():
     begin, end = "%A G71\nG00 G90 X+5 Y+5 Z+50\n", "\nN9 %A G71"
     mixed = read_program(begin + "G01 X+10 G91 Y+5 F100\nX+1 G90 Y+2\nG91 X+1 G90 Y+3 G91" + end)
     assert mixed.toolpath().points[1:].tolist() == [[10, 10, 50], [11, 2, 50], [12, 3, 50]] and mixed.problems == ()
@@ -256,6 +256,6 @@ def test_table_of_dialects_in_the_guide_is_correct(line, end, remarks):
 @pytest.mark.parametrize(
     "line", ["L X+10 Y+5 R0 FMAX", "G1 X=AC(10)", "TRANS X5", "CYCLE81(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G2 X5 I5 TURN=2", "G1 X9 RND=2"]
 )  # fmt: skip
-def test_other_languages_named_in_the_guide_are_refused(line):
+def test_control_languages_named_in_the_guide_are_refused(line):
     with pytest.raises(Unusable, match=r"The program is written for (Heidenhain|Siemens) controls"):
         read_program(f"G21 G90\nG0 X0 Y0 Z5\n{line}\n")

@@ -230,7 +230,7 @@ def test_comments_without_a_tool_are_not_tools(comment):
         ("Operation 9 of 13 : 2D Contour4", "2D Contour4"), ("(Pocket 1)", "Pocket 1"), ("(safe z)", ""), ("(A) and (B)", "(A) and (B)"),
     ],
 )  # fmt: skip
-def test_comments_that_are_titles_are_told_from_remarks(comment, title):
+def test_titles_in_comments_are_distinguished_from_remarks(comment, title):
     assert title_of(comment) == title
 
 
@@ -303,14 +303,14 @@ def test_tool_comment_in_the_line_of_its_change_is_used():
     next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
     assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
-    # The last of several tool changes is used. The comment on this tool can be on the next line.
+    # The last of several tool changes is used. The comment on its tool can be on the line after this tool change.
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6 (5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]
     assert sections(f"(10MM ENDMILL)\n(5MM DRILL)\nT1 M6\n{CUT}") == [("10MM ENDMILL", 1, 10)]
 
 
-def test_diameter_in_the_line_of_a_tool_change_is_the_tools():
+def test_diameter_beside_a_tool_change_is_the_tools_diameter():
     assert sections(f"T1 M6 (D26)\n{CUT}") == [("D26", 1, 26)]
     assert sections(f"N1 T2 M6 (ID=002 - DIA 0.5)\n{CUT}") == [("ID=002 - DIA 0.5", 2, 0.5)]
     assert sections(f"T1 M6 (DRILL 8.5)\n{CUT}") == [("DRILL 8.5", 1, 8.5)]
@@ -335,7 +335,7 @@ def test_prepared_tool_is_not_the_current_tool():
     ]  # fmt: skip
 
 
-def test_tool_comment_after_its_change_is_read():
+def test_tool_comment_after_the_tool_change_is_read():
     two = f"M6\nT1.1 (10MM ENDMILL)\nM0\n{CUT}M6\nT9.9 (5MM DRILL)\n{CUT}"
     assert sections(two) == [("10MM ENDMILL", 1, 10), ("5MM DRILL", 9, 5)]
     assert sections(f"T1\nM6\n{CUT}M6\nT2 (5MM DRILL)\n{CUT}")[-1] == ("5MM DRILL", 2, 5)
@@ -549,7 +549,7 @@ def test_program_without_comments_is_one_operation():
     assert sections(CUT) == [("", None, None)]
 
 
-def test_only_tool_in_a_required_list_is_used():
+def test_only_tool_in_a_list_of_required_tools_is_used():
     program = "G90\n(Required tools:)\n({})\n\nG00 Z5\n(No. 1: Pocket: One)\nG00 X4 Y8\nG01 Z-1 F500\nG01 Y1\n"
     for entries, diameter in (("China 6mm", 6), ("China 6mm)\n(China 3mm", None), ("Whatever", None)):
         (section,) = split_sections(read_program(program.format(entries)))

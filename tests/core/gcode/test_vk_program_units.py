@@ -110,7 +110,7 @@ def test_thousandths_are_assumed_for_lengths_of_at_least_5000():
 
 def test_fastest_feed_decides_if_feeds_are_mm_per_minute():
     slow, fast = zigzag(feed=240.0), zigzag(feed=600.0)
-    # The limit is a feed value of 250, which is 250 mm/min or 15 m/min.
+    # If the fastest feed is at least 250, feeds are read as mm/min, because 250 mm/s would be 15 m/min.
     assert in_seconds(slow) == (slow, None) and in_seconds(zigzag(feed=260.0))[1]
     entering = replace(fast, feed=np.where(np.arange(len(fast)) < 3, 100.0, 600.0))
     mended, said = in_seconds(entering)

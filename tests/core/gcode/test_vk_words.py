@@ -104,7 +104,7 @@ def test_words_beside_a_modal_code_continue_the_motion():
     assert path.points[-1].tolist() == [45, 20, 18] and not path.rapid[-1] and not path.problems
 
 
-def test_modal_code_beside_home_stays_in_force():
+def test_modal_code_beside_g28_stays_in_force():
     path = linearize([*BEFORE_CODES, ("G28", {"G": 91, "Z": 0}), ("G1", {"X": 1})])
     assert path.points[-1].tolist() == [16, 20, 25]
 

@@ -133,7 +133,7 @@ def test_reasons_of_recognitions_are_right_in_every_language():
     assert list(wrong_reasons()) == []
 
 
-def test_reason_contains_its_numbers():
+def test_reason_for_a_strategy_contains_measured_numbers():
     rows = [("G0", {"X": 0, "Y": 0, "Z": 0})]
     for i in range(12):
         rows += [("G1", {"X": 50 if i % 2 == 0 else 0}), ("G1", {"Y": 3.0 * (i + 1)})]
@@ -294,7 +294,7 @@ def test_invalid_message_data_raise_value_error(data):
             render(message)
 
 
-def test_unusable_error_contains_its_message():
+def test_exception_unusable_contains_its_message():
     error = Unusable(Message("tip-angle", angle=4.0))
     assert isinstance(error, ValueError) and error.what.code == "tip-angle"
     assert str(error) == "The tip angle must be between 0 and pi, not 4."

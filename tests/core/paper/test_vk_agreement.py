@@ -116,13 +116,13 @@ def check(commands, diameter, file):
 
 
 @pytest.mark.parametrize("name", OWN)
-def test_signature_agrees_in_all_places(name, tmp_path):
+def test_signature_of_a_path_agrees_wherever_it_is_shown(name, tmp_path):
     assert check(OWN[name], 6.0, tmp_path / "report.csv")
 
 
 @pytest.mark.long
 @pytest.mark.skipif(not FILES, reason="the corpus of FreeCAD's operations is not beside this repository")
-def test_signature_of_freecad_operations_agrees_in_all_places(tmp_path):
+def test_signature_of_freecad_operations_agrees_where_shown(tmp_path):
     assert sum(check(*one, tmp_path / "report.csv") for one in islice(of_corpus(), 0, None, 10)) >= 50
 
 
@@ -165,8 +165,8 @@ def test_strategy_and_numbers_by_the_papers_rule_are_as_expected():
     # last side to the first side.
     assert verdicts["one loop"].strategy is Strategy.UNKNOWN
     assert verdicts["one loop"].phi_range == pytest.approx((0.0, 1.5 * np.pi))
-    # V_k is the vector from the first corner of the square to the corner k. Its direction turns by a quarter turn, in
-    # one sense.
+    # V_k is the vector from the first corner of the square to the corner k. The direction of V_k turns by a quarter
+    # turn in total, in one sense.
     assert verdicts["one loop"].sense == "ccw"
     assert verdicts["one loop"].theta_range == pytest.approx((0.0, np.pi / 2))
 

@@ -34,6 +34,6 @@ def test_level_is_the_number_of_whole_turns_within_rounding(sign):
     assert [level_of(sign * phi) for phi in (turn - 1e-5, turn - 1e-7, turn, 2.9 * turn)] == [0, sign, sign, 2 * sign]
 
 
-def test_upper_end_of_phi_is_chosen_if_both_are_equally_far():
+def test_upper_bound_of_phi_wins_if_lower_is_as_far_from_zero():
     assert farthest((-3.0 - 1e-9, 3.0)) == 3.0
     assert farthest((-3.1, 3.0)) == -3.1 and farthest((-3.0, 3.1)) == 3.1

@@ -32,7 +32,7 @@ def test_arc_of_gauss_image_has_chords_of_at_most_four_degrees():
     assert np.hypot(*right[:2].T) == pytest.approx([0.7, 0.9]) and len(right) == 3
 
 
-def test_longest_of_equal_loops_is_shown():
+def test_longest_of_the_loops_with_equal_phi_is_shown():
     angle = np.linspace(0, 2 * np.pi, 60)
 
     def circle(radius, x):

@@ -29,7 +29,7 @@ from vkworkbench.program.analysis import analyze_file
 ROOT = Path(__file__).resolve().parents[3]
 ROWS = "".join(f"G1 X{40 * (k % 2)}\nY{k + 1}\n" for k in range(20))
 PROGRAM = f"(T1 D=6. CR=0. - flat end mill)\nG21\n(Face)\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F600\n{ROWS}G0 Z5\nM30\n"
-NAMES = "abcd"  # These are the names of the files without their suffix. The file b.nc is not text.
+NAMES = "abcd"  # Names of the programs, without the suffix .nc. The file b.nc is not text.
 LONG = "G0 X0 Y0 Z5\nG1 Z-1 F600\n" + "X1\nX2\n" * 200_000
 
 
@@ -156,7 +156,8 @@ def test_resume_option_continues_where_the_last_run_stopped(folder, tmp_path, ki
         assert sorted(out.read_bytes().splitlines()) == sorted(whole.splitlines()), cut
         again = int(done.stderr.splitlines()[-1].split(" in ")[1].split()[0])
         complete = whole[:cut].count(b"\n") - (kind == "--csv")
-        assert again == len(NAMES) - max(complete - 1, 0)  # The last complete program may have more rows.
+        # The last program in the file is analysed again, because further rows of this program may be missing.
+        assert again == len(NAMES) - max(complete - 1, 0)
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
@@ -243,7 +244,7 @@ def test_existing_results_are_kept_if_there_are_no_programs(folder, tmp_path, ki
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
-def test_file_that_was_unreadable_before_resuming_still_counts(folder, tmp_path, kind, inside):
+def test_file_unreadable_in_an_earlier_run_is_still_reported(folder, tmp_path, kind, inside):
     arguments = folder / "b.nc", folder / "a.nc", kind, tmp_path / "out", "--jobs", 1
     assert inside(*arguments).returncode == 1
     done = inside(*arguments, "--resume")
@@ -280,8 +281,8 @@ def apart_in_a_thread(*asked):
 
 
 @pytest.mark.long
-def test_program_after_a_timeout_is_read(folder, endless):
-    """The time limit of the next program is longer than threads can wait."""
+def test_program_after_a_stopped_analysis_is_read(folder, endless):
+    """The first program exceeds its time limit. The time limit of the next program is longer than threads can wait."""
     late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 1e10))
     assert late.error == "The analysis was stopped after 500 ms." and not late.counted
     assert str(other.strategy) == "zigzag"
@@ -492,7 +493,7 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
     whole, out = tmp_path / "whole", tmp_path / "out"
     inside(folder, kind, whole)
     size = len(whole.read_bytes())
-    for most in (size - 20, 10):  # The last or the first line does not fit.
+    for most in (size - 20, 10):  # The file is full in its last line or in its first line.
         with room_for(most):
             done = inside(folder, kind, out)
         then = "" if kind == "--csv" and most == 10 else "; continue with --resume"
@@ -555,7 +556,8 @@ def scheduler(tmp_path):
             client.wait_for_workers(2, timeout=60)
             yield client.scheduler.address, client
     finally:
-        # A normal end takes 5 s. The child processes of a killed worker notice its end and exit, too.
+        # A Dask worker would need 5 s to end normally. The child processes of a killed worker notice the worker's end
+        # and exit, too.
         for process in processes:
             process.kill()
         for process in processes:
@@ -609,7 +611,7 @@ def test_command_runs_no_files_of_the_current_folder(tmp_path, start, names):
     """With -m, Python itself imports the package and some of its own modules from the current folder."""
     ran = lay_traps(tmp_path / "traps", names)
     (tmp_path / "traps" / "a.nc").write_text(PROGRAM)
-    # the environment also has an empty entry
+    # With -m, PYTHONPATH ends with an empty entry, which stands for the current folder.
     environment = {**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}" if "-m" in start else ""}
     done = subprocess.run(
         [sys.executable, *start, "."], cwd=tmp_path / "traps", env=environment, capture_output=True, text=True
@@ -640,7 +642,7 @@ def test_dask_is_imported_only_for_a_cluster(folder):
     assert done.stdout.splitlines()[-1] == "False"
 
 
-def test_machine_option_plans_times(folder, tmp_path, capsys):
+def test_machining_times_are_computed_for_the_named_machine(folder, tmp_path, capsys):
     results = tmp_path / "results.csv"
     assert main([str(folder / "a.nc"), "--machine", "hobby-router", "--csv", str(results)]) == 0
     (row,) = csv.DictReader(results.open())

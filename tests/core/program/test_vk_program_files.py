@@ -320,7 +320,7 @@ def test_dwells_are_in_the_time_of_their_operation(tmp_path):
 
 
 def test_each_operation_with_an_unknown_dwell_has_a_remark(tmp_path):
-    """Each other remark is reported once, for the operation in which its cause first occurs."""
+    """A remark that is not about a dwell is reported once, for the operation in which its cause first occurs."""
     path = tmp_path / "router.nc"
     cut = "G0 Z5\nG4 S1\nG1 Z-1 F600\nX40\nX0\n"
     path.write_text(
@@ -378,8 +378,8 @@ def test_unreadable_file_does_not_affect_other_files(tmp_path):
         "The value of #5061 comes from the machine.",
         "missing.nc": "The file cannot be read: No such file or directory.",
     }
-    # An unreadable file has the strategy "unknown". A file without a cut is empty, and has an error only if a line was
-    # ignored.
+    # An unreadable file has the strategy "unknown". A file without a cut has the strategy "empty", and has an error
+    # only if a line was ignored.
     strategies = {Path(row.document).name: str(row.strategy) for row in report.operations}
     assert {name for name, strategy in strategies.items() if strategy == "unknown"} == {"a.nc", "c.nc", "missing.nc"}
     assert {name for name, strategy in strategies.items() if strategy == "empty"} == {"d.nc", "e.nc"}
@@ -548,7 +548,7 @@ def test_inches_without_g20_are_noticed(tmp_path, unit, said):
 
 
 @pytest.mark.parametrize("tool", ["T1 1/4 END MILL", "T1 6.35mm END MILL"])
-def test_tool_with_unit_decides_inches_read_as_mm(tmp_path, tool):
+def test_result_in_inches_is_equal_for_tool_sizes_in_any_unit(tmp_path, tool):
     rows = "".join(f"G1 X{3 * (k % 2)}\nY{0.1 * (k + 1):.1f}\n" for k in range(20))
     found = []
     for comment in (tool, "T1 0.25 END MILL"):

@@ -58,7 +58,7 @@ def test_short_step_of_arcs_is_uneven_and_long_step_is_a_gap():
     # The radii 16 and 16.2 mm count as one radius.
     assert uneven.step == pytest.approx(2, rel=1e-3) and uneven.count == 5
     assert uneven.even == pytest.approx((10 + 12 + 14 + 16.2) / (10 + 12 + 14 + 16 + 16.2), rel=1e-3)
-    # The measure `even` does not depend on the size.
+    # The measure `even` does not depend on the size of the arcs.
     assert found([20, 24, 28, 32, 32.4, 36.4]).even == pytest.approx(uneven.even)
     apart = found([10, 12, 14, 40, 42])
     assert apart.same == pytest.approx(QUARTER * (10 + 12 + 40), rel=1e-3)

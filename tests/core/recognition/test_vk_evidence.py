@@ -128,7 +128,7 @@ def test_numbers_of_rows_do_not_include_the_contour_around():
     both = section(rows(), polygon(54))
     e = gather_evidence(both, said(Strategy.ZIGZAG))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
-    # A strategy without rows and loops, such as engraving, reports the direction of the rows.
+    # Engraving is not a strategy of rows or loops, but the direction of rows in the toolpath is reported.
     e = gather_evidence(both, said(Strategy.ENGRAVING))
     assert (e.passes, e.stepover, e.direction, e.sense) == (10, 3, 0, None)
     e = gather_evidence(both, said(Strategy.PROFILE))
@@ -164,7 +164,7 @@ def test_grid_has_a_stepover_if_one_direction_is_in_rows(downward, stepover):
     assert gather_evidence(found, said(Strategy.ZIGZAG)).stepover == pytest.approx(stepover)
 
 
-def test_step_from_the_rules_is_used_if_no_step_is_measured():
+def test_stepover_from_the_rules_is_used_if_none_is_measured():
     strokes = section(*([(60.0 * k, 0, 0), (60.0 * k + 30, 9.0 * k, 0)] for k in range(4)))
     e = gather_evidence(strokes, said(Strategy.CONTOUR_PARALLEL, 7, step=2.5))
     assert (e.passes, e.stepover) == (7, 2.5)

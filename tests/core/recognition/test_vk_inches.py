@@ -23,7 +23,7 @@ PROGRAMS = {
 
 
 def steps_of(message):
-    """Yield all steps in a message and in the messages inside it."""
+    """Yield the values of all arguments named `step` in a message and in the messages inside it."""
     for name, value in message.arguments.items():
         if name == "step":
             yield value
@@ -49,7 +49,7 @@ def test_toolpath_in_inches_has_the_same_strategy(name):
 
 
 def test_reason_of_several_operations_is_the_same_in_inches():
-    """The reason for a program of two operations contains strategies instead of messages."""
+    """The reason for the strategy "mixed" names the strategies of both operations, but contains no lengths."""
     own = linearize([*PROGRAMS["zigzag"], *PROGRAMS["profile"]])
     own = replace(own, comments=(), tool_changes=np.array([len(linearize(PROGRAMS["zigzag"]))]))
     true = recognize(own, tool_diameter=TOOL, program=True)
@@ -64,7 +64,7 @@ def test_operation_in_inches_is_not_divided_at_its_retracts():
     assert found.spans == true.spans != recognize_inches(small, tool_diameter=TOOL, program=True).spans
 
 
-def test_toolpath_without_areas_has_no_paper_verdict():
+def test_drilling_has_no_result_of_the_papers_rule_in_inches():
     drilled = linearize(programs.drilling())
     found = recognize_inches(replace(drilled, points=drilled.points / INCH))
     assert found.strategy is Strategy.DRILLING and found.paper is None and found.stepover is None

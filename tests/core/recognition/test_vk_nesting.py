@@ -167,7 +167,7 @@ def test_two_rings_linked_at_their_depth_are_a_pocket():
     assert reached(40.0, 20.0, tool=3.0, areas=[0, 0])[0] == pytest.approx(3.6)
 
 
-def test_evenness_is_spread_in_the_plane_over_spread_in_depth():
+def test_evenness_compares_spreads_of_steps_in_plane_and_depth():
     """From the 10th to the 90th percentile, the values 0 to 10 spread by 8 around 5. A spread of 0.01 is rounding."""
     even, spread = np.full(11, 2.0), np.arange(11.0)
     assert evenness(even, spread) == pytest.approx(0.01 / 1.61)

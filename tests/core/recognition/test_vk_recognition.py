@@ -42,8 +42,8 @@ def rings(count=6, step=3.0, linked=True):
 
 
 # The arcs on one side of a clipped spiral also fit circles around a shifted centre (docs/recognition.md, "Strategies
-# that the toolpath alone does not determine"). So both samples get the strategy that is more frequent in the training
-# toolpaths.
+# that the toolpath alone does not determine"). So clipped spirals and clipped circles get the strategy that is more
+# frequent in the training toolpaths.
 OPEN = {"spiral clipped", "circles clipped"}
 SEEDS = 6
 

@@ -161,7 +161,7 @@ def test_votes_cannot_elect_mixed_or_drilling():
         assert elected(votes, STRATEGIES[said]) == (STRATEGIES[said], pytest.approx(0.8))
 
 
-def test_verdict_without_votes_has_confidence_zero():
+def test_strategy_without_votes_has_confidence_zero():
     assert elected(votes_for(mixed=1.0), Strategy.ZIGZAG)[1] == 0
 
 

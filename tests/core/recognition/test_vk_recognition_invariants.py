@@ -97,7 +97,7 @@ def test_rotated_and_moved_toolpath_keeps_its_strategy(made, angle, shift):
 @given(anything, sizes)
 def test_toolpath_scaled_with_its_tool_keeps_its_strategy(made, scale):
     path, found = path_of(made)
-    # Tolerances and rounding are absolute, so a part that is as small as they are may be recognised differently.
+    # Tolerances are absolute lengths, so the strategy may change if a part becomes as small as the tolerances.
     assume(scale >= 1 or (scale * path.lengths[~path.rapid]).min() > 0.2)
     again = recognize(moved(path, scale * path.points), tool_diameter=scale * TOOL)
     assert again.strategy == found.strategy

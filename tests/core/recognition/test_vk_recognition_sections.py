@@ -385,7 +385,7 @@ def test_loops_and_rows_in_one_section_are_separate_spans():
     assert _runs(section, verdict, 2, 25) == [(2, 7, rings), (10, 15, rows), (20, 25, rings)]
 
 
-def test_odds_of_two_strategies_follow_from_both_confidences():
+def test_odds_of_a_difference_are_computed_from_confidences():
     zigzag, helix = told(Strategy.ZIGZAG, confidence=0.8), told(Strategy.HELIX, confidence=0.5)
     assert _odds_of_difference(zigzag, helix) == pytest.approx(0.4 / 0.6) == _odds_of_difference(helix, zigzag)
     assert _odds_of_difference(zigzag, told(Strategy.ZIGZAG)) == 0
@@ -439,7 +439,7 @@ ROWS, AROUND, STROKES = Strategy.ZIGZAG, Strategy.PROFILE, Strategy.ENGRAVING
         (ROWS, 0, None, AROUND, True, False, False),
         (AROUND, 1, None, ROWS, False, False, True),
         (AROUND, 1, 1, ROWS, True, False, True),
-        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # Both strategies belong to one family of strategies.
+        (ROWS, 0, 3, Strategy.ONE_WAY, False, False, False),  # Zigzag and one-way both consist of rows.
         (ROWS, 0, 3, Strategy.ONE_WAY, True, False, True),
         (ROWS, 0, 3, ROWS, True, False, False),
         (ROWS, 0, 0, Strategy.ONE_WAY, True, True, True),
@@ -456,7 +456,7 @@ def test_border_divides_sections_whose_strategies_clearly_differ(one, loops, pas
     assert _differs(told(one, closed_loops=loops, passes=passes), told(main), sure, program) is differs
 
 
-def test_longest_section_decides_if_none_agrees_with_the_whole():
+def test_longest_section_wins_if_none_has_the_whole_strategy():
     path = linearize(programs.one_way(10))
     whole, one = told(AROUND, (0, 39, AROUND, 1.0)), np.zeros(2, int)
 

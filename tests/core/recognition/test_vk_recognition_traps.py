@@ -202,7 +202,7 @@ def test_phi_of_clockwise_zigzag_stays_between_minus_pi_and_0():
 
 
 def test_zigzag_that_starts_on_the_boundary_is_a_zigzag():
-    # FreeCAD begins a zigzag with a piece of the boundary, so phi lies between a and a + pi.
+    # FreeCAD begins a zigzag with a piece of the boundary, so phi lies between an angle a and a + pi, not 0 and pi.
     program = [
         ("G0", {"X": -8.0, "Y": -5.0, "Z": -1.0}),
         ("G1", {"X": -4.0, "Y": -7.0}),

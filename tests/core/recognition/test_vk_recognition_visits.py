@@ -117,8 +117,8 @@ def test_most_probable_borders_between_operations_are_kept(monkeypatch):
     assert kept == max(every.values()) > min(every.values())
 
 
-def test_program_with_many_certain_borders_gets_no_further_ones(monkeypatch):
-    """Further borders would cost time, because each stretch is recognised, and would not change the result."""
+def test_program_with_many_certain_borders_is_not_searched(monkeypatch):
+    """A search for further borders of operations would take long, and would not change the result."""
     commands = [("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0})]
     for k in range(120):
         x, y = 30.0 * (k % 12), 25.0 * (k // 12)
@@ -145,7 +145,7 @@ def test_operations_are_divided_only_in_programs():
 
 
 @pytest.mark.parametrize("depths", [[-1.0, -2.0], [-2.0]], ids=["several retracts between them", "one retract"])
-def test_operations_between_tool_changes_divide_at_their_own_top(depths):
+def test_stretches_between_high_retracts_divide_at_their_top(depths):
     one, two, three = programs.SOUND["zigzag"](14, 60.0, 3.0, depths), DIFFERENT["helix"], DIFFERENT["profile"]
     up = [("G0", {"Z": programs.CLEAR + 100.0})]
     path = linearize([*one, ("G0", {"Z": programs.CLEAR}), *two, *up, *three, *up, *one])
@@ -164,7 +164,7 @@ def test_single_hole_is_an_operation_of_a_program(name, last):
     assert [str(s.strategy) for s in found.spans] == names
 
 
-def test_border_between_equal_strategies_stays_in_mixed():
+def test_border_between_equal_strategies_stays_in_mixed_program():
     pocket, rows = DIFFERENT["contour-parallel"], DIFFERENT["zigzag"]
     border, second = len(linearize(pocket)), len(linearize([*pocket, *pocket]))
     path = replace(linearize([*pocket, *pocket, *rows]), comments=(), tool_changes=np.array([border, second]))
@@ -232,9 +232,9 @@ def test_measures_of_two_stretches_between_retracts_are_exact():
         "visits": np.log(2), "again": 0, "again_above": 0,
     }  # fmt: skip
     assert told == pytest.approx(expected)
-    # If the two visits are swapped, only the measures of the visit that is higher change.
+    # If the two visits are swapped, only the measures that compare their heights change.
     expected.update({"higher_bottom": 1, "higher_begin": 1, "deeper": 3 / 5})
-    # The value is the common area as a share of the area that is cut after the retract.
+    # `again` is the common area of both visits as a share of the area that is cut after the retract.
     expected.update({"again": shared / one, "again_above": shared / one})
     found = compare_visits(backwards(two_visits()))
     assert {name: found[name].item() for name in expected} == pytest.approx(expected)
@@ -249,7 +249,8 @@ def test_measures_of_two_stretches_between_retracts_are_exact():
 )  # fmt: skip
 def test_cuts_around_a_retract_are_alike_within_rounding(name, values, measure):
     assert compare_visits(two_visits(**{name: values}))[measure] == 1
-    apart = [values[0], values[0] + 3 * (values[1] - values[0])]  # The difference is 0.03 mm, or 1.5 % of the feed.
+    # Heights differ by 0.03 mm, or feeds by 1.5 %.
+    apart = [values[0], values[0] + 3 * (values[1] - values[0])]
     assert compare_visits(two_visits(**{name: apart}))[measure] == 0
 
 
@@ -259,7 +260,7 @@ def test_cuts_around_a_retract_are_alike_within_rounding(name, values, measure):
         ([[10, 10], [10, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [12, 10]], [[30, 40], [30, 40]], 0),
         ([[10, 10], [10, 10]], [[30, 40], [30, 42]], 0),
-        # The tolerance is a hundredth of the diagonal plus 0.1 mm, in total 0.46 mm.
+        # The corners of equal boxes differ by at most a hundredth of the diagonal plus 0.1 mm, in total 0.46 mm.
         ([[10, 10], [10.4, 10]], [[30, 40], [30, 40]], 1),
         ([[10, 10], [10.5, 10]], [[30, 40], [30, 40]], 0),
     ],
@@ -376,8 +377,8 @@ def test_ramp_down_from_the_retract_height_is_not_a_retract():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_series_measure_is_the_share_of_equal_retracts_around():
-    tops = [0, 0, 5, 9, 9]  # Neighbouring heights are equal, different, different, equal.
+def test_series_measure_averages_the_neighbouring_retracts():
+    tops = [0, 0, 5, 9, 9]  # The first two heights are equal, and the last two heights are equal.
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     found = compare_visits(replace(visits, top=np.array(tops, float)))
     assert found["same_top"].tolist() == [1, 0, 0, 1]

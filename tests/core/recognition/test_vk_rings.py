@@ -354,14 +354,14 @@ def test_section_without_loops_has_no_rings():
 
 
 @pytest.mark.parametrize("even_in_plane", [True, False])
-def test_evenness_tells_steps_in_the_plane_from_steps_in_depth(even_in_plane):
+def test_evenness_is_small_for_equal_steps_in_the_plane(even_in_plane):
     at = np.linspace(0.1, 0.9, 12)
     radii = 40 * at if even_in_plane else 40 * np.sqrt(1 - (1 - at) ** 2)
     rings = rings_of([polygon(2 * r, z=math.sqrt(1600 - r * r) - 40, corners=48) for r in radii])
     assert (rings.evenness < 0.5) == even_in_plane and rings.evenness > 0
 
 
-def test_evenness_is_the_ratio_of_two_relative_spreads():
+def test_evenness_is_ratio_of_spreads_in_plane_and_in_depth():
     even, uneven = np.full(9, 2.0), np.linspace(1.0, 5.0, 9)
     assert evenness(even, uneven) < 0.1 and evenness(uneven, even) > 10
     assert evenness(even, 3 * even) == pytest.approx(1.0)

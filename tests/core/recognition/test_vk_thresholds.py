@@ -55,7 +55,7 @@ FILES = sorted(set((CORE / "recognition").rglob("*.py")) - set(HOMES))
 
 
 def declared(home, parse):
-    """Yield the name of each threshold of a file, e.g. ``"ROWS.MIN_LENGTH"``, and the comment above the threshold."""
+    """Yield the name of each threshold of a file, such as ``ROWS.MIN_LENGTH``, and the comment above the threshold."""
     lines = home.read_text(encoding="utf-8").splitlines()
     for subject in parse(home).body:
         for line in subject.body if isinstance(subject, ast.ClassDef) else ():
@@ -84,7 +84,7 @@ def test_each_threshold_has_a_unit_a_reason_and_a_use(parse):
     assert [name for name in thresholds if name not in names] == [], "no file uses the threshold"
 
 
-def test_files_of_recognition_compare_only_with_named_thresholds(parse):
+def test_files_in_core_recognition_compare_with_no_bare_numbers(parse):
     found = []
     for file in FILES:
         for node in ast.walk(parse(file)):

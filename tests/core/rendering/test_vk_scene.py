@@ -90,7 +90,7 @@ def test_floor_of_a_pocket_is_in_shadow_beside_its_walls():
     assert image[25, 40] < image[20, 40] == image[19, 40]
 
 
-def test_differences_are_coloured_up_to_ten_tolerances():
+def test_deviations_are_coloured_up_to_ten_tolerances():
     left, gouged = np.array([0, 0.1, 0.11, 5.0, 0, 0, 0, 9.0]), np.array([0, 0, 0, 0, 0.11, 5.0, 0, 0])
     # The last value is leftover material in a hole, where the model has no surface.
     model = np.array([True] * 6 + [False] * 2)

@@ -82,7 +82,7 @@ def test_total_is_the_sum_of_the_counted_operations():
 
 
 @pytest.mark.parametrize("second, complete", [(KNOWN, True), (PARTLY, False)])
-def test_total_time_is_complete_if_all_times_are(second, complete):
+def test_total_time_is_complete_if_all_times_are_complete(second, complete):
     told = report(operation("One"), operation("Two", second))
     (total,) = told.totals
     assert total.machining_complete is complete
@@ -212,7 +212,7 @@ def test_job_length_is_unknown_if_an_operation_is():
         assert told[-1].split("10")[-1].split()[0] == shown
 
 
-def test_table_lists_contradiction_before_other_remarks():
+def test_table_lists_contradicting_name_before_other_remarks():
     rows = replace(operation("One").recognition, strategy=Strategy.ZIGZAG)
     _, one, two, _ = lines(report(operation("One", called="Offset", recognition=rows), operation("Two")))
     assert "  The operation is called Offset, but its toolpath is zigzag. The operation has no tool. Give" in one

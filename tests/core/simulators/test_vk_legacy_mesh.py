@@ -114,7 +114,7 @@ def test_slope_rotated_by_a_quarter_has_equal_triangles(fall):
     assert along == pytest.approx(across)
 
 
-def test_height_map_after_the_last_part_equals_the_final_map():
+def test_map_after_the_last_part_of_a_path_is_the_final_map():
     path = linearize(surface())
     ball = Tool("ballend", 6.0)
     (whole,), _ = heightmaps(path, tool=ball, stock=STOCK)
@@ -124,7 +124,7 @@ def test_height_map_after_the_last_part_equals_the_final_map():
     assert np.abs(parts[-1] - whole).max() < 0.05  # The points at which two parts meet are sampled twice.
 
 
-def test_map_of_a_part_does_not_include_the_next_part():
+def test_map_after_a_part_of_a_path_excludes_the_next_part():
     """Four commands are divided into two parts. The second part begins with a slot across the stock."""
     there, across, back = (("G1", {axis: to}) for axis, to in (("X", 90.0), ("Y", 50.0), ("X", 10.0)))
     path = linearize([("G0", {"X": 10.0, "Y": 10.0, "Z": 10.0}), there, across, back])

@@ -24,7 +24,7 @@ from vkworkbench.core.simulators.table import available, predict
 from vkworkbench.core.zbuffer import estimate
 from vkworkbench.language import Message, render
 
-# The module needs importlib, because a function has the same name as the module.
+# A plain import would return the function `preflight`, which has the same name as its module.
 PREFLIGHT = importlib.import_module("vkworkbench.core.simulators.preflight")
 
 START = ("G0", {"X": 10.0, "Y": 0.0, "Z": 5.0})

@@ -26,8 +26,9 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
         ([UNCUT, 1, 4, 2, UNCUT], True),  # A third cut joined two gaps.
     ],
 )
-def test_piece_cut_later_than_both_neighbours_is_found(owners, unconnected):
-    others = [UNCUT, 1, UNCUT]  # On the other two rays, the uncut pieces are the first and the last piece.
+def test_ray_piece_cut_later_than_both_neighbours_is_found(owners, unconnected):
+    # Beside the tested ray are two rays of three pieces, of which the first and the last are uncut.
+    others = [UNCUT, 1, UNCUT]
     rays = np.repeat(np.arange(3), [3, len(owners), 3])
     pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
     assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]

@@ -80,7 +80,8 @@ def test_tiles_of_four_pixels_are_not_divided_for_sloped_moves(side, fine):
 def reached(*tiles, near=-5.0, far=5.0):
     """Return the pairs of a tile and a trajectory that are not culled.
 
-    Each tile is a list of (reached depth, opened depth).
+    Each tile is a list of one (reached depth, opened depth) per trajectory: the largest depth that the trajectory cuts
+    somewhere in the tile, and the depth down to which it cuts the whole tile.
     """
     tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
     start = np.searchsorted(tile, np.arange(len(tiles)))
@@ -98,7 +99,7 @@ NO = -np.inf
         ([(1, 1), (1, 1)], [0]),
         ([(1, 0), (0.5, NO)], [0, 1]),
         ([(1, 0), (-0.5, NO), (0, NO), (0.1, NO)], [0, 3]),
-        # Later trajectories are compared with the depth 2, to which the tile is open.
+        # Later trajectories are compared with the depth 2, down to which the whole tile is already cut.
         ([(3, 2), (4, 1), (1.5, NO), (2.5, NO)], [0, 1, 3]),
         ([(-5, NO), (-4, NO)], [1]),  # A depth above the start of the rays counts as not reached.
         ([(9, 9), (20, 9)], [0]),  # Below the rays, no material is left.
@@ -111,7 +112,7 @@ def test_trajectory_shallower_than_opened_tile_depth_is_culled(pairs, stay):
 
 def test_depth_opened_in_one_tile_does_not_cull_in_another_tile():
     assert reached([(4, 4), (3, NO)], [(-4, -4), (-4.5, NO)], [(-4, NO)]) == [0, 2, 4]
-    # The first tile is open to the bottom of the stock, and the second tile is not open.
+    # The whole first tile is cut to the bottom of the stock, and the second tile is not cut.
     assert reached([(5, 5)], [(-4.9, NO), (-4.5, NO)]) == [0, 1, 2]
 
 

@@ -334,7 +334,7 @@ def test_gouge_below_a_cavity_of_the_stock_has_its_source():
     by_none, by_deep = sorted(gouges(z, deviations(z, model), 0.1), key=lambda one: one.depth)
     assert by_none.depth == pytest.approx(4) and by_none.trajectory is None
     assert by_deep.depth == pytest.approx(6) and by_deep.source.cut == 1
-    # Before the deep cut, no trajectory is responsible.
+    # Before the deep cut, no trajectory is responsible for the gouge.
     (early,) = gouges(z.at(1), deviations(z.at(1), model), 0.1)
     assert early.depth == pytest.approx(4) and early.trajectory is None
 

@@ -49,9 +49,8 @@ def test_numbers_of_steps_of_a_simulation_match_hand_count():
 def test_work_of_finer_image_moves_to_the_next_tile_size():
     """The finer image has four times as many pixels.
 
-    The number of cells (pairs of a pixel and a trajectory) grows by the geometric mean of 2 and 4: the pairs grow by 2
-    at
-    the last tile size, and the pixels grow by 4.
+    The number of cells (pairs of a pixel and a trajectory) grows by the geometric mean of 2 and 4: at the last tile
+    size, the number of pairs of a tile and a trajectory grows by 2, and the number of pixels grows by 4.
     """
     trajectories, pixels, first, blocks, tests, cells, records = WORK.amounts(4.0)
     assert (trajectories, pixels, first) == (10, 4000, 200)
@@ -73,7 +72,8 @@ def test_number_of_test_batches_is_at_least_the_number_of_bands():
     "levels, growth, finer",
     [
         ([1, 2, 16], 1, [1, 2, 16]),
-        # Twice the pixels shift the numbers by half a tile size. The growth between tile sizes is limited to 4.
+        # With twice as many pixels, each number is the geometric mean of the old numbers for this tile size and for the
+        # next tile size. A number counts as at most 4 times the number before.
         ([1, 2, 16], 2, [sqrt(2), 4, 16]),
         ([1, 4], 4, [4, 16]),
         ([1, 4], 0.25, [0.25, 1]),
@@ -182,8 +182,8 @@ def test_chance_of_drawing_a_tile_is_at_most_one():
     assert effort._chances(np.array([8.0, 2, 1, 1]), 3) == pytest.approx([1, 1, 0.5, 0.5])
 
 
-def test_all_tiles_are_sampled_if_they_have_few_costly_pairs():
-    """Each costly tile has one pair of a tile and a trajectory.
+def test_all_tiles_are_sampled_if_slow_tiles_have_few_pairs():
+    """Nearly the whole cost is in two tiles, each with one pair of a tile and a trajectory.
 
     A sample of 50 pairs would need 50 tiles, and only 3 exist.
     """

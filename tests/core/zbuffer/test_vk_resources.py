@@ -439,7 +439,7 @@ def test_image_size_for_a_time_budget_uses_the_whole_budget():
     found = estimate(toolpath, None, tool=tool, stock=STOCK, view=View(), speed=speed)
     chosen = best_resolution([found], seconds=found.seconds / 3, memory_bytes=1e12)
     again = estimate(toolpath, None, tool=tool, stock=STOCK, view=chosen.view, speed=speed)
-    # The error arises because the image has whole pixels.
+    # The time differs slightly from the budget, because the image has whole pixels.
     assert chosen.seconds == pytest.approx(found.seconds / 3, rel=5e-3)
     # Each image draws its own random sample of tiles.
     assert again.seconds == pytest.approx(found.seconds / 3, rel=0.1)

@@ -11,7 +11,7 @@ from vkworkbench.core.zbuffer.findings.surface_distance import _circles, farthes
 
 
 def every_pair(front, behind, pixel):
-    """Return the distance at every pixel by its definition."""
+    """Return the distance between the surfaces at every pixel, computed from all pairs of pixels."""
     row, column = np.indices(front.shape).reshape(2, -1)
     across = pixel * np.hypot(row[:, None] - row, column[:, None] - column)
     front, behind = front.ravel(), behind.ravel()

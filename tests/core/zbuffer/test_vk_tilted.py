@@ -122,7 +122,7 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
     "pairs, stay",
     [
         ([(NEAR, NEAR), ((-4, -1), NOWHERE)], [0]),
-        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # Only a part of the tile is open.
+        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # Only a part of the tile is cut before.
         ([(NEAR, (-5, -2)), ((-4, -1), NOWHERE), ((-4, -2.5), NOWHERE)], [0, 1]),
         ([(FAR, FAR), ((3, 4), NOWHERE), ((1, 4), NOWHERE)], [0, 2]),
         ([(FAR, (9, 8)), ((3, 4), NOWHERE)], [0, 1]),
@@ -140,7 +140,7 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
         ([], []),
     ],
 )
-def test_trajectory_is_kept_in_a_tile_if_it_cuts_unopened_depths(pairs, stay):
+def test_trajectory_that_cuts_remaining_depths_of_a_tile_is_kept(pairs, stay):
     def told(*tiles):
         tile = np.repeat(np.arange(len(tiles)), [len(own) for own in tiles])
         columns = np.array([(*passed, *opened) for own in tiles for passed, opened in own], float).reshape(-1, 4).T

@@ -83,7 +83,7 @@ def test_flat_end_depth_bounds_are_exact_on_slopes(along, half_run, slope):
 
 
 @pytest.mark.parametrize("tool, slope", SIMPLE, ids=str)
-def test_depth_bounds_of_a_point_are_the_opened_depth(tool, slope):
+def test_depth_bounds_of_a_point_are_the_depth_cut_there(tool, slope):
     """The square is a thousandth of a mm wide, in the middle of a long move.
 
     Positions of the tool are 0.04 mm apart.
@@ -96,7 +96,7 @@ def test_depth_bounds_of_a_point_are_the_opened_depth(tool, slope):
 
 @pytest.mark.parametrize("slope", SLOPES)
 @pytest.mark.parametrize("tool", FORMS, ids=str)
-def test_opened_depth_beside_the_axis_of_a_move_is_exact(tool, slope):
+def test_depth_cut_in_a_whole_square_beside_the_axis_is_exact(tool, slope):
     """The moves go up and down."""
     for aside in (0.0, 0.4, -1.4):
         point = tool, slope, 0.7, aside, 1e-3, 20.0
@@ -196,7 +196,7 @@ def test_only_rays_at_the_edge_of_a_sweep_are_tested_again(monkeypatch):
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("tool", FORMS[:2], ids=str)
-def test_result_does_not_depend_on_the_height_of_the_stock(tool, direction):
+def test_simulation_does_not_depend_on_the_height_of_the_stock(tool, direction):
     points, view = PATHS[0](np.random.default_rng(4), 40), View(direction, 80, 60)
     here = simulate(toolpath(points), tool=tool, stock=BOX, view=view)
     for by in (-37.0, 25.0):

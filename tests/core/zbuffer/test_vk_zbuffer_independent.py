@@ -221,7 +221,7 @@ def test_points_belong_to_the_right_moves_of_several_tools(direction, tools):
 
 
 @pytest.mark.long
-def test_points_belong_to_the_right_of_many_passes():
+def test_points_belong_to_the_right_pass_of_thousands():
     """Thousands of passes cross each tile, and culling must drop most passes."""
     rng = np.random.default_rng(0)
     for points, tool, direction in (
