@@ -109,8 +109,8 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
 
     The closing turn is the turn from the last move into the first. If the closing turn is half a turn, its sign is
     unknown. If the path has half turns with alternating signs, the closing turn gets the sign that continues the
-    alternation. Otherwise, for example at the tip of a lead-in along which the tool also leaves the contour, the
-    closing turn gets the sign that brings phi closest to one full turn.
+    alternation. If the path has no such half turns, for example at the tip of a lead-in along which the tool also
+    leaves the contour, the closing turn gets the sign that brings phi closest to one full turn.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ def level_of(phi: np.ndarray) -> np.ndarray: ...
 def level_of(phi: float | np.ndarray) -> int | np.ndarray:
     """Return the level n, the number of whole turns in phi, truncated toward zero.
 
-    If phi is below a whole turn only because of rounding, the whole turn counts.
+    If phi is below a whole turn only because of rounding, the whole turn counts as completed.
 
     Parameters
     ----------

@@ -59,7 +59,7 @@ def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
-    """Return whether each net turn, (k,) rad, is a full turn to either side, up to a quarter turn, (k,) bool."""
+    """Return whether each net turn (k,), without its sign, is a full turn plus or minus a quarter turn, (k,) bool."""
     result: np.ndarray = np.abs(np.rint(net / np.pi)) == 2
     return result
 
@@ -69,9 +69,9 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
 
     A monotonous area can contain offset loops that are linked without a lift, or a contour that is cut together with a
     zigzag. Phi then adds up over loops and links, so phi alone does not show where a loop ends; a loop is found by the
-    point to which the tool returns. If two loops overlap, the first loop counts, unless the first loop turns back and
-    forth much more than the second. For example, a zigzag can return to its own start before the tool cuts the contour
-    around the zigzag; only the contour is then a loop.
+    point to which the tool returns. If two loops overlap, only the first loop is returned, unless the first loop turns
+    back and forth much more than the second. For example, a zigzag can return to its own start before the tool cuts the
+    contour around the zigzag; only the contour is then a loop.
 
     Returns
     -------
@@ -221,7 +221,7 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     -------
     (t,) int
         First move of every turn, except for the first turn of each winding. If phi falls and rises again at a concave
-        corner, it reaches the same multiple of 2 pi twice, but only the first time counts.
+        corner, it reaches the same multiple of 2 pi twice, but only the first time is the beginning of a turn.
     """
     size = end - start
     of = np.repeat(np.arange(len(start)), size)

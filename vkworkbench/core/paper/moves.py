@@ -214,10 +214,10 @@ def _without_air(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Remove links in the air from programs in which the tool lifts, traverses and plunges at feed instead of at rapid.
 
-    A link in the air is a straight and horizontal move between a lift and a plunge. The lift is not required at the
-    start of a program, and the plunge is not required at the end or before a final lift at feed. Beside a rapid at the
-    top height, only the lift or only the plunge is required, because some post processors write some of the rapids as
-    fast feeds.
+    A link in the air is a straight and horizontal move between a lift and a plunge. At the start of a program, a link
+    needs no lift before it. At the end of a program, or before a final lift at feed, a link needs no plunge after it.
+    Directly before or after a rapid at the top height, a link needs only the lift or only the plunge, because some post
+    processors write some of the rapids as fast feeds.
     """
     if not len(start) or len(index) == len(planar):
         return index, start

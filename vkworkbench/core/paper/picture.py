@@ -14,7 +14,7 @@ _NO_TURN = 1e-6  # rad; a smaller turn of the image on the unit circle is roundi
 
 
 def outline(areas: Areas) -> np.ndarray:
-    """Return all areas as one polyline, with a row of NaN after each area, (m + 2a, 2) mm."""
+    """Return all monotonous areas as one polyline, with a row of NaN after each area, (m + 2a, 2) mm."""
     at = np.concatenate([areas.end, areas.end])
     ends = _ends(areas)
     gaps = np.full(len(areas.end), np.nan)
@@ -38,7 +38,7 @@ def _ends(areas: Areas) -> tuple[np.ndarray, np.ndarray]:
 
 
 def turns_of(angle: np.ndarray) -> np.ndarray:
-    """Return the turns between successive images with the angles `angle` (n,) on the unit circle, (n-1,) rad.
+    """Return the turns between successive points with the angles `angle` (n,) on the unit circle, (n-1,) rad.
 
     Each turn is the shorter way around the circle. An exact half turn has no sense of rotation; its value is NaN.
     """
@@ -48,15 +48,15 @@ def turns_of(angle: np.ndarray) -> np.ndarray:
 
 
 def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the arcs on the unit circle along which an image moves, separately for each sense of rotation.
+    """Return the arcs on the unit circle along which a Gaussian image moves, separately for each sense of rotation.
 
     Parameters
     ----------
     angle : (n,) array_like of float
-        Angles of the successive images on the unit circle, rad.
+        Angles of the successive Gaussian images, which are points of the unit circle, rad.
     radius : (n,) array_like of float
-        Distance from the centre at which each image is drawn. If the images move back and forth on the same arc of the
-        unit circle, different radii separate the drawn arcs.
+        Distance from the centre at which each image is drawn. If the Gaussian images move back and forth on the same
+        arc of the unit circle, different radii separate the drawn arcs.
 
     Returns
     -------
@@ -133,10 +133,11 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     segments : (s,) int64
         Segments to choose from; segment i joins points i and i + 1, which are not NaN.
     cells : int
-        Width of the picture in cells, at most 1000 in the plane and 200 in space. The width is halved while too many
-        segments remain.
+        Width of the picture in cells, at most 1000 in the plane and 200 in space. The width is halved while more than
+        `most` segments remain.
     most : int
-        Largest number of segments to return. If `segments` contains no more than this number, all are returned.
+        Largest number of segments to return. If `segments` contains no more than `most` segments, all segments are
+        returned.
 
     Returns
     -------

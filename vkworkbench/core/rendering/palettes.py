@@ -104,6 +104,9 @@ def difference_colors(left: np.ndarray, gouged: np.ndarray, model: np.ndarray, t
 
 
 def _between(stations: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Interpolate between the colours `stations` at shares of the scale, 0 to 1. Other shares get an end colour."""
+    """Interpolate between the colours `stations` at shares of the scale, 0 to 1.
+
+    Shares below 0 get the first colour, and shares above 1 get the last colour.
+    """
     at, numbers = shares * (len(stations) - 1), np.arange(len(stations))
     return np.stack([np.interp(at, numbers, stations[:, channel]) for channel in range(3)], axis=-1).astype(np.uint8)

@@ -18,8 +18,8 @@ EMPTY, _TO_NOTHING = -1e9, np.float32(1e5)
 # Slope above which a surface is drawn as a vertical wall.
 STEEPEST = np.float32(3.0)
 # Pockets are drawn with a soft shadow. _SHADOW: share of the light that the deepest pockets lose. _SHADOW_REACH: a
-# height is compared with the mean height within this radius, a share of the field's shorter side. _SHADOW_CELLS:
-# distance between the heights that are sampled for the mean height, in cells.
+# height is compared with the mean height within this radius, a share of the shorter side of the map of heights.
+# _SHADOW_CELLS: distance between the heights that are sampled for the mean height, in cells.
 _SHADOW, _SHADOW_REACH, _SHADOW_CELLS = np.float32(0.45), 0.02, 2
 # _CREASE: change of slope between neighbouring pixels above which a dark line is drawn along the bend. At twice the
 # change _CREASE, the line is darkest, and loses the share _DARKEST of its light. With a smaller _CREASE, the scallops

@@ -22,7 +22,7 @@ class Costs:
         Cost by name of the simulator; each cost is computed at its first use. The mapping does not contain simulators
         that the running FreeCAD does not have, and simulators whose cost is unknown.
     advice : mapping of str to Resolution
-        Finest setting within the budget of the preferences, by name of the simulator.
+        Finest setting of each simulator within the budget of the preferences, by name of the simulator.
     """
 
     costs: Mapping[str, Any]

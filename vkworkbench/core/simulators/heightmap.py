@@ -24,8 +24,8 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
     """Compute the heights of the stock after each part of the toolpath.
 
     The stock is replaced by its bounding box, and rapids cut, too. First, the lowest height that the tool's tip reaches
-    over each cell is found, in a time of O(n) for n trajectories. Then the shape of the tool at this height is
-    subtracted from the stock, in a time that does not depend on the number of trajectories.
+    over each cell is found, in a time of O(n) for n trajectories. Then, over each cell, the shape of the tool at its
+    lowest height is subtracted from the stock, in a time that does not depend on the number of trajectories.
 
     Parameters
     ----------

@@ -3,7 +3,7 @@
 
 The simulator stores the stock as a grid of heights and converts the grid to a mesh (`legacy_mesh.py`). The prediction
 ignores the time to cut the grid, because cutting takes longer than one tick of the simulator's timer only for long
-moves of wide tools. Such moves add at most 5 % to the time of a fast-forward.
+moves of wide tools. Long moves of wide tools add at most 5 % to the time of a fast-forward.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ NAME = "legacy"
 _BYTES_PER_CELL = 5
 # The size of the mesh is estimated at this number of points in time, spread over a play of the simulation.
 _LOOKS = 5
-# Maximum number of commands that play shows per second at the initial position of the speed slider.
+# Maximum number of commands per second in play mode, at the initial position of the speed slider.
 _SPEED = 50
 # Largest number of times that a fast-forward repaints its progress.
 _PERCENTS = 100
@@ -42,7 +42,7 @@ class LegacyCost:
     fast_forward_seconds, play_seconds : float
         Time from the click on the fast-forward or play button to the finished part, s.
     commands, shown : int
-        Number of all commands, and number of the commands that play shows. Play does not show comments.
+        Number of all commands, and number of the commands that play mode shows. Play mode does not show comments.
     resolution : float
         Edge of a cell, mm.
     cells : int
@@ -87,9 +87,9 @@ def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEF
     """Estimate the cost of one operation in the legacy simulator.
 
     In fast-forward, every command, including comments, takes one tick of a timer. Whenever the progress increases by
-    one percent, the progress bar is repainted. At the end of the fast-forward, one mesh is made and shown. Play first
-    shows the uncut stock. Then play needs, for each command, 20 ms or the time to make and show a mesh, whichever is
-    longer. The number of triangles increases with the number of cuts, and decreases if the finished part is flat.
+    one percent, the progress bar is repainted. At the end of the fast-forward, one mesh is made and shown. Play mode
+    first shows the uncut stock. For each command, play mode needs 20 ms or the time to make and show a mesh, whichever
+    is longer. The number of triangles increases with the number of cuts, and decreases if the finished part is flat.
 
     Parameters
     ----------

@@ -35,8 +35,8 @@ _TILT = np.pi / 6
 # Area visible in the window, divided by the square of the stock's longer side.
 _WINDOW = 4 / 3 * (2 * 1.6 * np.tan(0.35)) ** 2
 # _CORNER_PIECE: length of the segments in which a rounded corner of the tool is drawn, mm (SimulatorGL.py).
-# _LONGER_PER_SEGMENT: each segment of the outline beyond the two of a flat tool increases the drawing time by this
-# share (benchmarks/simulators.py).
+# _LONGER_PER_SEGMENT: a flat tool's outline has two segments, and each additional segment increases the drawing time by
+# this share (benchmarks/simulators.py).
 _CORNER_PIECE = 0.5
 _LONGER_PER_SEGMENT = 0.1
 # Number of parts into which an operation is divided to estimate how much longer its frames take after other operations.

@@ -41,12 +41,12 @@ _SEED = 2002
 # bull-nose tool) + 2 * (1 if the move is sloped) + (1 if the view is oblique). benchmarks/learn_effort.py fits the
 # costs below, as multiples of the times in `Speed`. TESTS is the cost of testing a pair of a tile and a trajectory.
 # CELLS is the cost of a cell; a cell is the cutting of one pixel's ray by one trajectory. SORTED is the additional cost
-# of a cell if the ray's removed intervals must be sorted. RECORDS is the cost of a record (dexel, trace element or gap)
-# in a vertical view and in an oblique view. With a bull-nose in an oblique view, cutting a ray that meets the tool
-# between the ends of the move takes about three times as long as cutting a ray that meets the tool at an end, whether
-# the move is level or sloped. Therefore the elements 13 and 15 have different meanings in TESTS and CELLS. In TESTS,
-# they are for level and for sloped moves of a bull-nose. In CELLS, they are for rays that meet a bull-nose at an end of
-# the move and between the ends.
+# of a cell (cut ray) if the ray's removed intervals must be sorted. RECORDS is the cost of a record (dexel, trace
+# element or gap) in a vertical view and in an oblique view. With a bull-nose in an oblique view, cutting a ray that
+# meets the tool between the ends of the move takes about three times as long as cutting a ray that meets the tool at an
+# end, whether the move is level or sloped. Therefore the elements 13 and 15 have different meanings in TESTS and CELLS.
+# In TESTS, they are for level and for sloped moves of a bull-nose. In CELLS, they are for rays that meet a bull-nose at
+# an end of the move and between the ends.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(
@@ -127,9 +127,9 @@ class Work:
     def _cell_growth(self, growth: float) -> float:
         """Return the factor by which the number of cut rays (cells) grows if the number of pixels grows by `growth`.
 
-        The result is the geometric mean of two models. In the first model, each halving of the tiles' side multiplies
-        the number of pairs of a tile and a trajectory by the same factor as the last halving whose factor is known. In
-        the second model, the number of cells is proportional to the number of pixels.
+        The result is the geometric mean of the factors from two models. In the first model, each halving of the tiles'
+        side multiplies the number of pairs of a tile and a trajectory by the same factor as the last halving whose
+        factor is known. In the second model, the number of cells is proportional to the number of pixels.
         """
         if not self.pairs or sum(self.cells) == 0:
             return growth

@@ -3,12 +3,12 @@
 
 Greene, Kass and Miller (Hierarchical z-buffer visibility, 1993) drop each object that is hidden by a nearer object
 covering a whole tile of the image. This module drops each trajectory that comes too late: a trajectory removes nothing
-from a tile if earlier trajectories have opened the tile at least as deep as the trajectory reaches. The image is
-divided into tiles, and the tiles are divided into quarters repeatedly, down to a few pixels. Each tile has a list of
-the trajectories that can cut it, in the order in which they are cut. A trajectory that is dropped from a tile is also
-dropped from the tile's quarters. Each step computes with arrays of pairs of a tile and a trajectory, sorted by tile and
-then by trajectory. The computing time grows with the sum, not with the product, of the number of trajectories and the
-number of pieces that are removed from rays.
+from a tile if earlier trajectories have removed all material of the tile down to the depth that the trajectory reaches.
+The image is divided into tiles, and the tiles are divided into quarters repeatedly, down to a few pixels. Each tile has
+a list of the trajectories that can cut it, in the order in which they are cut. A trajectory that is dropped from a tile
+is also dropped from the tile's quarters. Each step computes with arrays of pairs of a tile and a trajectory, sorted by
+tile and then by trajectory. The computing time grows with the sum, not with the product, of the number of trajectories
+and the number of pieces that are removed from rays.
 
 A trajectory opens a ray to a depth if the trajectory removes the stock from the ray's near end to this depth. A
 trajectory opens a tile to a depth if the trajectory opens all rays of the tile to this depth. The culling drops only
@@ -200,7 +200,7 @@ def divided(
         Bounds for the view of `trajectories`.
     needed : callable, optional
         Function that receives tiles of one size and returns the tiles that the caller needs; it can shorten a tile's
-        list of trajectories at its end. The function is called for every size.
+        list of trajectories at its end. The function `needed` is called for every size of tiles.
     """
     pending = [tiles]
     tested = 0
@@ -259,7 +259,7 @@ def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles
 def deeper_pairs(
     tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
 ) -> np.ndarray:
-    """Return the pairs of a tile and a trajectory that reaches deeper than earlier trajectories have opened the tile.
+    """Return the pairs of a tile and a trajectory that reaches deeper than earlier ones have cut the whole tile.
 
     Parameters
     ----------

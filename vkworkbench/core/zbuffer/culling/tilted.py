@@ -76,8 +76,8 @@ class Tilted:
         pixels, item = tiles.side**2, tiles.item
         px, py = x.take(tile, axis=1)[None], y.take(tile, axis=1)[:, None]
         enter, leave = self.trajectories.intervals(px, py, item)
-        # Rounding errors decide whether a ray at the boundary of a swept area is inside. `passing` decides this for the
-        # tile's rays exactly as for a ray that is cut without tiles. Tiles whose corners are all inside the swept area,
+        # Rounding errors decide whether a ray at the boundary of a swept area is inside. For a ray of a tile, `passing`
+        # decides exactly as for a ray that is cut without tiles. Tiles whose corners are all inside the swept area,
         # which are most tiles, need no decision.
         corners = self.trajectories.passing(px[:, [0, -1]], py[[0, -1]], item)
         doubtful = np.flatnonzero(~corners.all(axis=(0, 1)))

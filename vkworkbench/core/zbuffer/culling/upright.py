@@ -84,7 +84,7 @@ class Upright:
         return Removals(hit, np.maximum(-depth.ravel()[hit], near[ray]), far[ray])
 
     def _opened_depths(self, x: np.ndarray, y: np.ndarray, item: np.ndarray) -> np.ndarray:
-        """Return the depth to which each pair's trajectory opens each ray of the pair's tile, (pixels of a tile, p) mm.
+        """Return the depth to which each pair's trajectory cuts each ray of the pair's tile, (pixels of a tile, p) mm.
 
         The pixel columns of the tiles are at `x` (1, side, p), and the pixel rows at `y` (side, 1, p), mm.
         """
@@ -94,8 +94,8 @@ class Upright:
         for tool, own in trajectories.by_tool(item):
             px, py = x[..., own], y[..., own]
             height, inner = lowest(tool, start[:, own], heading[:, own], px, self.cosine * py)
-            # Rounding errors decide whether a ray at the boundary of a swept area is inside. `passing` decides this for
-            # the tile's rays exactly as for a ray that is cut without tiles.
+            # Rounding errors decide whether a ray at the boundary of a swept area is inside. For a ray of a tile,
+            # `passing` decides exactly as for a ray that is cut without tiles.
             at = np.flatnonzero((inner < _RIM_LENGTH) & (inner >= 0))
             if len(at):
                 rim = row, column, pair = np.unravel_index(at, inner.shape)
@@ -152,7 +152,7 @@ class Squares(NamedTuple):
 def _bounds_by_kind(
     kinds: Sequence[tuple[Tool, slice | np.ndarray, Slopes | None]], squares: Squares
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Compute `bounds` separately for the pairs of each kind, which is a tool with level moves or with sloped moves."""
+    """Compute `bounds` separately for each tool, and separately for its level moves and its sloped moves."""
     if len(kinds) == 1:
         tool, _, slopes = kinds[0]
         return bounds(tool, slopes, squares)
@@ -166,7 +166,7 @@ def bounds(tool: Tool, slopes: Slopes | None, squares: Squares) -> tuple[np.ndar
     """Return an upper and a lower bound of the depths to which moves cut squares of the image.
 
     `reaches` is an upper bound of the depth that a move reaches in the square. `opens` is a lower bound of the depth to
-    which the move opens every ray of the square.
+    which the move cuts every ray of the square.
 
     Parameters
     ----------
@@ -279,8 +279,9 @@ def _deepest_reach(
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope = slopes.slope
-    # Heights are measured from the height of the move's line at the end of the square where this line is lower. While
-    # the tool is above the square, its axis is on the move, and at most half a chord of the tool away from the square.
+    # The line of the move has two heights, one at each end of the square. All heights below are measured from the
+    # smaller of the two heights. While the tool is above the square, its axis is on the move, and at most half a chord
+    # of the tool away from the square.
     half = _root(tool.radius**2 - inner2)
     reach = half_run - extent
     first = np.maximum(-along - reach, -half)
@@ -304,7 +305,7 @@ def _deepest_reach(
 
 
 def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarray, outer2: np.ndarray) -> np.ndarray:
-    """Return the depth below the middle of each sloped move to which the move opens all rays of its square, mm.
+    """Return the depth below the middle of each sloped move to which the move cuts all rays of its square, mm.
 
     The result is valid only if the tool passes over the whole square. `outer` (p,) is the largest distance from the
     square to the line of the move, mm, and `outer2` (p,) is the squared distance, mm^2.

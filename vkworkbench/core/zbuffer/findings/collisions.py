@@ -9,8 +9,8 @@ thin layer of the wall on all its rays.
 
 If the body moves before its tool, the simulation finds every collision, but also false collisions with material that
 the tool removes in the same move before the body arrives. Therefore the moves with such collisions are simulated again,
-divided into parts, and in each part the body moves after the tool. A piece that the body removes in this simulation,
-too, is a real collision.
+divided into parts, and in each part the body moves after the tool. A piece of a ray that the body removes in the second
+simulation, too, is a real collision.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ FLUTES, SHANK, HOLDER, LENGTH, TOOL = "flutes", "shank", "holder", "length", "to
 # distance between arc and chord (the arc's rise). Therefore bodies are made smaller by at least `_OF_RISE` times the
 # rise.
 _TOUCHES, _OF_RISE = 0.02, 2.0
-# Assumed diameter of an unknown holder, as a multiple of the diameter of the tool or of its shank. This is the diameter
-# of the narrowest holders.
+# Assumed diameter of an unknown holder, as a multiple of the diameter of the tool or of its shank. The assumed diameter
+# is the diameter of the narrowest holders.
 _NARROWEST_HOLDER = 1.5
 # Largest height, mm, by which the tool descends in one part of a sloped move. Sloped moves are divided into such parts
 # to find cuts deeper than the flutes.

@@ -136,7 +136,7 @@ class _Check:
         pixel: float,
         find: Callable[[FineRays, np.ndarray, np.ndarray], None],
     ) -> list[int]:
-        """Check the moves `moves` (k,) in batches with `find`; return the moves not checked within the time limit."""
+        """Call `find` for batches of the moves `moves` (k,); return the moves not checked within the time limit."""
         if len(moves) == 0:
             return []
         rays = FineRays(self.cuts, self.stock, pixel)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Find the pieces that selected trajectories remove from closely spaced rays.
 
-The rays are the pixels of an image of the whole stock. This image can have billions of pixels, so only the tiles along
-the chosen trajectories are cut. Each tile is cut by all trajectories up to the last chosen trajectory.
+The rays are the pixels of an image of the whole stock. The image of the whole stock can have billions of pixels, so
+only the tiles along the chosen trajectories are cut. Each tile is cut by all trajectories up to the last chosen
+trajectory.
 """
 
 from __future__ import annotations

@@ -120,8 +120,8 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
             break
         for some in np.array_split(steps, ceil(len(searched) * len(steps) / _PAIRS)):
             rows, columns = row[searched, None] + some[:, 0], column[searched, None] + some[:, 1]
-            # A position outside the image is replaced by the nearest pixel of the border. This pixel was already
-            # compared at its actual distance, which is smaller, so the replacement changes nothing.
+            # A position outside the image is replaced by the nearest pixel of the border. The nearest pixel of the
+            # border was already compared at its actual distance, which is smaller, so the replacement changes nothing.
             rows, columns = np.clip(rows, 0, height - 1), np.clip(columns, 0, width - 1)
             across = np.hypot(*some.T) * pixel
             to_front = beyond[searched, None] - front[rows, columns]

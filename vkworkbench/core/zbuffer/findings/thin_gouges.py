@@ -30,14 +30,14 @@ _CLOSEST = 2.0**-8
 # Distance between rays along walls, mm.
 _AT_WALLS = 2.0**-4
 # _DIRECTIONS: 24 unit vectors (2, 24); around each point, the model's surface is searched in these directions. _SHARES:
-# radii of the circles on which the surface is searched to decide whether a point is in a gouge, as shares of the
-# smallest depth of a gouge. The circle with the largest radius, which is searched first, excludes most points.
+# radii of the circles on which the model's surface is searched to decide whether a point is in a gouge, as shares of
+# the smallest depth of a gouge. The circle with the largest radius, which is searched first, excludes most points.
 _DIRECTIONS = np.array([np.cos(np.arange(24) * np.pi / 12), np.sin(np.arange(24) * np.pi / 12)])
 _SHARES = np.array([1.0, 0.67, 0.34])
-# _WIDER: ratio of consecutive radii of the circles on which the surface is searched to measure the depth of a gouge.
-# _ALIKE: a point replaces the deepest point found so far only if its depth is larger by this factor. _IN_STEPS: the
-# points of a gouge, sorted with the deepest along the view first, are measured in batches that end at these numbers of
-# points, because the first depths exclude most of the later points.
+# _WIDER: ratio of consecutive radii of the circles on which the model's surface is searched to measure the depth of a
+# gouge. _ALIKE: a point replaces the deepest point found so far only if its depth is larger by this factor. _IN_STEPS:
+# the points of a gouge, sorted with the deepest along the view first, are measured in batches that end at these numbers
+# of points, because the first depths exclude most of the later points.
 _WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Side of the grid cells by which points are grouped, as a multiple of the distance between neighbouring points. Points
 # in the same cell or in neighbouring cells belong to one gouge.
@@ -48,7 +48,7 @@ _CLOSE = 4.0
 _POINTS, _OF_OWNER = 20_000, 2000
 # Approximate upper bound for the number of points at which the depth of one gouge is measured.
 _MEASURED = 200
-# Number of points that are processed in one batch when the surface is searched around them.
+# Number of points that are processed in one batch when the model's surface is searched around the points.
 _TOGETHER = 4096
 
 

@@ -23,7 +23,7 @@ class Verdict:
     pixel : float or None
         Side of the pixels of the simulation with which the job was checked, mm; None before the check.
     met : bool
-        Whether at least one tool can meet the stock. If this is False, there was nothing to check.
+        Whether at least one tool can meet the stock. If `met` is False, there was nothing to check.
     compared : bool
         Whether the part was compared with a model.
     crashes, gouges, fast_plunges : int

@@ -35,7 +35,7 @@ _STUDENT = 3.18
 # of the tool's diameter. _PARTS: largest number of parts of a move. Longer parts average out short peaks of the removal
 # rate. In shorter parts, the removal rate would depend on single rays.
 _PART, _PARTS = 1.0, 100
-# Lower bound of the error, as a share of the volume. The error is never 0, because depths are rounded.
+# Lower bound of the error, as a share of the volume. The real error of a volume is never 0, because depths are rounded.
 _LEAST = 5e-4
 
 

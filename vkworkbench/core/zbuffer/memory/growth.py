@@ -38,8 +38,8 @@ def size_of(image: View | Frame, growth: float) -> tuple[int, int]:
     largest = MOST_PIXELS / (image.width * image.height), (LONGEST_SIDE / max(image.width, image.height)) ** 2
     growth = min(growth, *largest)
     pixels = growth * image.width * image.height
-    # The shorter side of the image has at least one pixel. In a narrow image, the longer side must therefore be
-    # shorter.
+    # The shorter side of the image has at least one pixel. In a narrow image, the longer side must therefore be shorter
+    # than its share of the growth would allow.
     width = max(1, int(image.width * sqrt(growth)))
     height = max(1, int(min(image.height * sqrt(growth), pixels / width)))
     return max(1, int(min(width, pixels / height))), height

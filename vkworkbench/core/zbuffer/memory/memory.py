@@ -41,12 +41,12 @@ _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 10
 _PROCESS = 45e6
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
-# Share of its length by which an array of dexels, trace elements and gaps is enlarged when it is full.
+# A full array of dexels, trace elements and gaps is enlarged by this share of the array's length.
 _SPARE = 1 / 8
 # The estimated number of trace elements is increased by this multiple of its standard error to get an upper bound.
 _ERRORS = 2.0
-# Share of the memory budget that a proposed image size uses. The rest is a margin, because an estimate for the proposed
-# size samples other rays and gives a slightly different result.
+# Share of the memory budget that a proposed image size uses. The rest of the budget is a margin, because an estimate
+# for the proposed size samples other rays and gives a slightly different result.
 _SURE = 0.98
 
 
@@ -98,7 +98,7 @@ class Peak:
     trajectories : int
         Number of trajectories, including trajectories that miss the stock.
     work : float
-        Memory for the temporary arrays of one band, bytes.
+        Memory for the temporary arrays of one band (`TILE` rows of pixels), bytes.
     """
 
     records: float

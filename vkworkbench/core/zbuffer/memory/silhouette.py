@@ -31,7 +31,7 @@ def seen_areas(stock: Solid, frame: Frame, rng: np.random.Generator) -> tuple[fl
     Parameters
     ----------
     rng : numpy.random.Generator
-        Random generator for the rays that sample a mesh. Other stocks do not use the generator.
+        Random generator for the rays that sample a mesh. Only a stock that is a mesh needs the generator.
 
     Returns
     -------

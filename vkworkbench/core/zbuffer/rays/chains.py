@@ -175,7 +175,7 @@ def _pieces_from_near_end(
 ) -> Pieces:
     """Return the pieces of rays whose intervals all begin at the near end and end at increasing depths."""
     end = near.copy()
-    end[ray] = leave  # the end of each ray's last interval, because numpy keeps the last value
+    end[ray] = leave  # each ray gets the end of its last interval, because numpy keeps the last value
     whole = end < far
     size = np.bincount(ray, minlength=len(near)) + whole
     base = np.append(0, np.cumsum(size))

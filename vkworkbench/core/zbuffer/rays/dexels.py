@@ -114,7 +114,7 @@ def before_in_group(values: np.ndarray, start: np.ndarray, first: np.ndarray | f
 
 
 def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Return the lowest value of the ranges that contain each slot; the slots are numbered from 0, (slots,).
+    """Return, for each slot (an index of the result), the lowest value of the ranges that contain the slot, (slots,).
 
     A range contains a slot if ``first <= slot < last``. Each range is covered by two shorter ranges, which can overlap;
     the length of both is the largest power of two that is not longer than the range. Both shorter ranges receive the

@@ -15,7 +15,7 @@ from vkworkbench.core.zbuffer.rays.dexels import NO_DEEPER, THINNEST
 
 
 def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.ndarray, far: np.ndarray) -> np.ndarray:
-    """Return the positions in `depth`, row by row, at which a ray is opened deeper than by all earlier trajectories.
+    """Return the positions in `depth`, row by row, at which a ray is cut deeper than by all earlier trajectories.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
 def opened(
     near: np.ndarray, far: np.ndarray, start: np.ndarray, owner: np.ndarray, leave: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the removed pieces of rays that each trajectory opens deeper than the previous trajectory.
+    """Return the removed pieces of rays that each trajectory cuts deeper than the previous trajectory.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def opened(
     owner : (m,) ndarray of int
         The trajectories that cut the rays, sorted by ray.
     leave : (m,) ndarray
-        Depth to which each trajectory opens its ray, mm. The function can overwrite `leave`.
+        Depth to which each trajectory cuts its ray, mm. The function can overwrite `leave`.
 
     Returns
     -------

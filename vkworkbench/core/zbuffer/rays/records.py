@@ -97,7 +97,7 @@ class Records:
     @cached_property
     def lengths(self) -> np.ndarray:
         """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # [0]: length of the gaps; [-1]: length of the uncut pieces
+        total = np.zeros(self.trajectories + 2)  # the first total is for the gaps, the last for the uncut pieces
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]
@@ -201,7 +201,10 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
 
 
 def side_by_side(parts: Sequence[Records], height: int) -> Records:
-    """Join the records (pieces of rays) of parts of an image, from left to right. Every part has `height` rows."""
+    """Join the records (pieces of rays) of parts of an image, from left to right.
+
+    Every part of the image has `height` rows of pixels.
+    """
     if len(parts) == 1:
         return parts[0]
     # For each part of the image: the first pixel of each row of pixels, and the first piece on the ray of this pixel.
@@ -223,7 +226,7 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
 
 
 class Writer:
-    """Collects the records (pieces of rays) of an image band by band, from the bottom of the image to the top."""
+    """Collects the records (pieces of rays) of an image by bands of pixel rows, from the bottom of the image up."""
 
     def __init__(self, trajectories: int, pixels: int) -> None:
         self.trajectories = trajectories
@@ -233,7 +236,7 @@ class Writer:
         self.pixels = self.pieces = 0
 
     def append(self, band: Records) -> None:
-        """Add the records of the next band, directly above the previous band."""
+        """Add the records of the next band of pixel rows, directly above the previous band."""
         pixels, pieces = self.pixels + len(band.entry), self.pieces + len(band.far)
         if pieces > len(self.far):
             self._resize(pieces + pieces // 8)
@@ -243,7 +246,7 @@ class Writer:
         self.pixels, self.pieces = pixels, pieces
 
     def records(self) -> Records:
-        """Return the records of all collected bands."""
+        """Return the records of all collected bands of pixel rows."""
         self._resize(self.pieces)
         return Records(self.trajectories, self.index, self.entry, self.far, self.owner)
 

@@ -26,7 +26,7 @@ class Removal(Trajectories):
     """Trajectories that are prepared to cut single rays, spread over the image."""
 
     def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Pieces, np.ndarray]:
-        """Divide rays into pieces by all trajectories.
+        """Divide rays into pieces at the ends of the intervals that trajectories remove.
 
         The method is fastest if consecutive rays are neighbouring rays in the image.
 

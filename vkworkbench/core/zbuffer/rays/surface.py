@@ -137,8 +137,9 @@ class Surface:
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """The position at which each trajectory's pixels begin, and the pixels of all prefix maxima by trajectory.
+        """The pixels of all pieces that can become visible, sorted by the trajectory that removes the piece.
 
+        The first array contains the position at which each trajectory's pixels begin, and the second array the pixels.
         The pixels are sorted by a counting sort in batches.
         """
         owner, _, first = self._maxima

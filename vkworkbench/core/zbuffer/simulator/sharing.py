@@ -21,8 +21,8 @@ from vkworkbench.worker import Worker, WorkerDied
 
 # _ALONE: time after which this process starts other processes, s. _START: time that other processes need to start, s.
 _ALONE, _START = 0.5, 0.35
-# Number of regions for each process. With fewer regions, the other processes wait longer for the slowest process at the
-# end. With more regions, each region is smaller and takes more time per pixel.
+# Number of regions of the image for each process. With fewer regions, the other processes wait longer for the slowest
+# process at the end. With more regions, each region is smaller and takes more time per pixel.
 _REGIONS = 12
 _WAIT = 0.05  # time between two calls of `going_on` while waiting for other processes, s
 

@@ -321,11 +321,11 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
     ux, uy, uz = move
     run = np.sqrt(ux**2 + uy**2)
     safe_run = np.where(run > 0, run, 1)
-    # Candidates for t from the two vertical side faces of the swept volume.
+    # Candidates for t (position of the tool on its move) from the two vertical side faces of the swept volume.
     reach = tool.radius * uy / safe_run
     sides = [divide(x + reach, ux), divide(x - reach, ux)]
-    # Candidates for t from the swept edges. One swept edge is between the cylinder and the flat end or cone, the other
-    # between the cone and its flat tip.
+    # Candidates for t (position of the tool on its move) from the swept edges. One swept edge is between the cylinder
+    # and the flat end or cone, the other between the cone and its flat tip.
     k = tool.steepness
     tilted_move = cosine * uy + sine * uz
     square = (cosine * ux) ** 2 + tilted_move**2
@@ -336,7 +336,8 @@ def _straight_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: floa
         root = np.sqrt(np.maximum(middle**2 - square * rest, 0))
         sides += [divide(middle - root, square), divide(middle + root, square)]
     if k > 0:
-        # Candidates for t from the two planes that touch the cone along the whole move.
+        # Candidates for t (position of the tool on its move) from the two planes that touch the cone along the whole
+        # move.
         cos_touch = np.clip(uz / (k * safe_run), -1, 1)
         sin_touch = np.sqrt(1 - cos_touch**2)
         tilted = cosine * y + sine * (z + k * tool.tip)
