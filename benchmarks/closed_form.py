@@ -127,7 +127,7 @@ def _levels(t: _Trajectories, recognition: Recognition, tool: Tool, stock: Solid
     level = np.flatnonzero((np.abs(t.rise) < _LEVEL) & (t.run > 0))
     key = np.rint(t.low / _LEVEL).astype(np.int64)
     # If there are horizontal moves at the end height of a descent, the computed area at this height already includes
-    # the descent. All other descents cut the tool's circle in addition.
+    # the descent. Every other descent also cuts the area of the tool's circle.
     between = ~np.isin(key, key[level])
     descents = _descents(t, tool) * t.share
     if recognition.strategy is Strategy.HELIX:

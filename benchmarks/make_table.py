@@ -205,7 +205,7 @@ def values(row: dict[str, str]) -> tuple[str, ...]:
 
 
 def rows_to_keep(last: list[dict[str, str]], made: list[dict[str, str]]) -> list[dict[str, str]]:
-    """Return the last table's rows whose program or FreeCAD version is not available now, with the newest labels."""
+    """Return the last table's rows whose program or FreeCAD version is not available now, with their present labels."""
     labels = {
         (source_of(row), place_of(row)): row["strategies"]
         for table in PROGRAMS

@@ -4,12 +4,12 @@
 
     python3 benchmarks/recognition.py [FILE.jsonl.gz ...] [--programs PROGRAMS.jsonl.gz] [--sources | --speed]
 
-FILE contains operations, and PROGRAMS contains whole programs with their sections. records.py describes both forms.
-Toolpaths that differ by less than a micrometre count once. Operations of FILE are also joined in pairs, and
-toolpaths/nonsense.py makes nonsense paths. The shipped trees may have been learned from FILE. Therefore --sources
-prints the accuracy on sources that were left out of the learning, which needs scikit-learn (see learn_model.py) and
-some minutes. --speed measures only the time. Without files, the toolpaths of toolpaths/synthetic.py and strokes.py are
-used. Without --sources, the script needs numpy only.
+FILE contains operations, and PROGRAMS contains whole programs with their sections. records.py describes the form of
+both kinds of files. Toolpaths that differ by less than a micrometre count once. Operations of FILE are also joined in
+pairs, and toolpaths/nonsense.py makes nonsense paths. The shipped trees may have been learned from FILE. Therefore
+--sources prints the accuracy on sources that were left out of the learning, which needs scikit-learn (see
+learn_model.py) and some minutes. --speed measures only the time. Without files, the toolpaths of toolpaths/synthetic.py
+and strokes.py are used. Without --sources, the script needs numpy only.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from reliability import how_sure, two_class
 from vkworkbench.core import Toolpath
 from vkworkbench.core.recognition import recognize
 
-WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # operations whose StepOver property is not a stepover
+WITHOUT_STEPOVER = {"adaptive", "waterline", "helix"}  # strategies whose property StepOver is not a distance of passes
 
 
 def accuracy(files: list[str]) -> None:

@@ -95,7 +95,7 @@ def of_corpus(name):
 
 
 def headless(samples):
-    """Simulate every sample at every accuracy, and print the errors of the predictions."""
+    """Simulate every sample at every accuracy (size of a cell), and print the errors of predicted meshes and times."""
     own = constants(calibrate().speed)
     errors = {accuracy: [] for accuracy in ACCURACIES}
     simpler = {}
@@ -209,5 +209,5 @@ def straight(commands, resolution, top):
     return made
 
 
-if __name__ in ("__main__", "simulators"):  # FreeCAD imports the script under the second name
+if __name__ in ("__main__", "simulators"):  # FreeCAD imports the script as a module, with the second name
     run_and_leave(main)

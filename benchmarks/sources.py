@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Accuracy on sources that were left out of the learning: a part of recognition.py. Needs scikit-learn."""
+"""Measure the accuracy on sources that were left out of the learning: a part of recognition.py. Needs scikit-learn."""
 
 from __future__ import annotations
 

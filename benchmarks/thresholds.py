@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure the effect of every threshold of the recognition: how many verdicts change with the threshold's value.
+"""Measure the effect of every threshold of the recognition: how many recognised strategies change with its value.
 
     python3 benchmarks/thresholds.py [--rules] [NAME ...] [FILE.jsonl.gz ...]
 
