@@ -44,7 +44,7 @@ def finest(player, window):
         return player.simulation is not None and not player.is_busy and player.pictures.is_current
 
     while True:
-        for _ in range(4):  # a picture may change the legend, then the legend the layout, and the layout the view
+        for _ in range(4):  # a picture can change the legend, which changes the layout and the view
             events.happen()
         if rests():
             return

@@ -71,7 +71,7 @@ def test_table_names_every_operation_and_the_total(report):
         line for line in str(report).splitlines() if not line.startswith(("Rows in brackets", "Job: Less", "Job: More"))
     ]
     assert len(lines) == len(report.operations) + 4
-    # The results panel has the same column titles.
+    # The table and the results panel have the same column titles.
     assert lines[0].split()[:4] == ["operation", "strategy", "confidence", "moves"]
     for o in report.operations:
         (line,) = [line for line in lines if line.split("  ")[0].strip("()") == o.label]
@@ -473,7 +473,7 @@ def rows_of_a_failure(report):
     rows = report.operations
     assert [row.strategy.value for row in rows] == ["unknown", "zigzag"]
     line = next(line for line in str(report).splitlines() if line.startswith("First"))
-    assert line.split()[4:6] == ["?", "?"], line  # First has neither length nor time
+    assert line.split()[4:6] == ["?", "?"], line  # the operation First has neither length nor time
     return rows
 
 

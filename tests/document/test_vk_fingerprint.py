@@ -48,11 +48,11 @@ def test_comments_and_minus_zero_keep_the_fingerprint(text):
         "",
     ],
 )
-def test_any_other_letter_changes_the_fingerprint(text):
+def test_any_other_letter_of_the_gcode_changes_the_fingerprint(text):
     assert text_fingerprint(text, NOWHERE) != text_fingerprint(TEXT, NOWHERE)
 
 
-def test_placement_changes_the_fingerprint_from_a_millionth():
+def test_placement_is_rounded_to_6_decimals_in_the_fingerprint():
     here = text_fingerprint(TEXT, placed())
     assert here != text_fingerprint(TEXT, NOWHERE)
     assert here == text_fingerprint(TEXT, placed(1e-7)) and here != text_fingerprint(TEXT, placed(1e-5))
@@ -154,7 +154,7 @@ def test_reopened_document_accepts_a_mark_without_stock(small, zigzag_commands):
     assert Settings().of(op) == (whole,) and Settings(opened=True).of(op) == (whole, of_tool)
 
 
-def test_search_stops_if_an_analysis_found_the_fingerprint(small, zigzag_commands):
+def test_fingerprint_from_an_analysis_is_not_computed_again(small, zigzag_commands):
     op = small.add("One", zigzag_commands)
     steps = finding_path_fingerprint(op)
     next(steps)

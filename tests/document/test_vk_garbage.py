@@ -34,7 +34,7 @@ def collector():
 
 
 def gone():
-    """Return a weak reference to an unreachable ring."""
+    """Return a weak reference to an unreachable object that refers to itself (a reference cycle)."""
     return weakref.ref(Ring())
 
 

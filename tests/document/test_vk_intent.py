@@ -29,12 +29,12 @@ def done(strategy):
 
 
 @pytest.mark.parametrize("strategy, name", FITS)
-def test_type_of_the_same_family_does_not_contradict(strategy, name):
+def test_type_in_the_strategys_family_does_not_contradict(strategy, name):
     assert not contradicts(name, done(strategy))
 
 
 @pytest.mark.parametrize("strategy, name", CONTRADICTS)
-def test_type_of_another_family_contradicts(strategy, name):
+def test_type_in_another_family_contradicts_the_strategy(strategy, name):
     assert contradicts(name, done(strategy))
 
 

@@ -54,7 +54,7 @@ def test_time_is_near_the_budget_from_half_of_the_budget(seconds, expected):
     ],
     ids=["nothing", "remark", "called", "hangs", "the other hangs", "both hang", "not serious"],
 )
-def test_serious_caution_or_remark_is_a_warning(rest, warned):
+def test_mark_warns_of_serious_cautions_and_remarks(rest, warned):
     assert is_warned(record(**rest), CHOSEN) is warned
     assert ("⚠" in text_of(record(**rest), CHOSEN)) is warned
 

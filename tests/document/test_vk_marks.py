@@ -484,8 +484,8 @@ def test_marked_file_opens_without_the_addon(example, tmp_path):
     assert log == plain_log
 
 
-def test_mark_is_shown_with_its_text_or_an_expression(small, zigzag_commands):
-    """A pill is drawn over the text of the mark, so no pill is shown if the user has removed the text."""
+def test_pill_is_hidden_if_the_user_replaces_the_marks_text(small, zigzag_commands):
+    """A pill in the tree covers the text of the mark; without this text, only an expression has a pill."""
     op = small.add("Zigzag", zigzag_commands)
     assert not marks.is_shown(op)
     vkworkbench.mark(vkworkbench.analyze(small.document))

@@ -20,7 +20,7 @@ def prints():
 
 
 def found(prints, op, fingerprint="f", meanwhile=lambda: None):
-    """Search a path's fingerprint, and call `meanwhile` during the search; return the cached fingerprint."""
+    """Compute a path's fingerprint, and call `meanwhile` before it is stored; return the cached fingerprint."""
     whose, token = (op.Document.Name, op.Name), prints.begin(op)
     meanwhile()
     prints.end(whose, token, fingerprint)
@@ -49,19 +49,19 @@ def test_cache_observes_documents_only_once(small, zigzag_commands, prints, monk
     FreeCAD.addDocumentObserver(prints)  # added because the fixture removes the observer at the end
 
 
-def test_path_changed_during_the_search_has_no_fingerprint(small, zigzag_commands, prints):
+def test_fingerprint_of_a_path_changed_meanwhile_is_not_stored(small, zigzag_commands, prints):
     op = small.add("One", zigzag_commands)
 
     def edit():
         op.Path = Path.Path(op.Path.Commands[:-1])
 
     assert found(prints, op, meanwhile=edit) is None
-    assert found(prints, op, "") is None  # failed searches ("") are not stored
+    assert found(prints, op, "") is None  # the result of a failed computation ("") is not stored
     assert found(prints, op, "g") == "g"
 
 
-def test_two_searches_share_one_fingerprint(small, zigzag_commands, prints):
-    """If a search had its own result, an analysis and the comparison of a mark would restart each other's search."""
+def test_two_computations_store_one_fingerprint(small, zigzag_commands, prints):
+    """Otherwise an analysis and the comparison of a mark would restart each other's computation of a fingerprint."""
     op = small.add("One", zigzag_commands)
     whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
     prints.end(whose, first, "f")

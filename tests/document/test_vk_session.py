@@ -42,4 +42,4 @@ def test_new_results_are_preferred_to_remembered_results(small):
     new = row(small.name, "B", "g")
     known = results.latest_rows([new])
     assert (known[small.name, "A"], known[small.name, "B"]) == (old[0], new)
-    assert results.latest_rows([])[small.name, "B"] is old[1]  # B's stored result stays
+    assert results.latest_rows([])[small.name, "B"] is old[1]  # the stored result of operation B stays

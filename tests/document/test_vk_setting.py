@@ -67,7 +67,7 @@ def test_given_commands_are_the_text_of_a_long_path():
     assert text_of(short) == text_of(short, []) == "at once"
 
 
-def test_tool_fingerprint_suffices_only_after_opening(small, zigzag_commands):
+def test_mark_without_stock_is_valid_only_after_opening(small, zigzag_commands):
     one = small.add("One", zigzag_commands)
     (whole,) = Settings().of(one)
     assert Settings(opened=True).of(one)[0] == whole and len(Settings(opened=True).of(one)) == 2

@@ -77,7 +77,7 @@ def test_shape_of_a_stock_decides_the_kind_of_solid(small, name):
     [("box", ()), ("cylinder", ("Cylinder",)),
      ("two", ("Mesh", *(f"{1.0037 * measure:.4e}" for measure in (2 * 10**3, 2 * 600, 15, 5, 5))))],
 )  # fmt: skip
-def test_form_of_stock_that_is_not_a_box(small, name, form):
+def test_form_of_a_stock_is_empty_for_a_box_only(small, name, form):
     """
     The expected form of "two" contains the volume, area and centre of two cubes of 10 mm that are 20 mm apart.
 
@@ -158,7 +158,7 @@ def test_tool_shape_comes_from_its_file_name(file, shape, exact):
 
 
 @pytest.mark.parametrize("far, usable", [(0.9e6, True), (1.1e6, False), (float("nan"), False)])
-def test_operation_beyond_a_kilometre_is_refused(far, usable):
+def test_operation_placed_over_a_kilometre_away_is_refused(far, usable):
     path = linearize([("G0", {"X": 1.0, "Y": 2.0, "Z": 3.0}), ("G1", {"X": 4.0})])
     place = FreeCAD.Placement(FreeCAD.Vector(0, far, 0), FreeCAD.Rotation())
     if usable:
@@ -194,6 +194,6 @@ def test_results_of_the_last_used_shapes_are_kept():
         assert found(number) == f"of {number}"
     assert asked == [0, 1, 2]
     found(0)
-    found(3)  # replaces shape 1 in the cache of three shapes, because shape 0 was used later
+    found(3)  # shape 3 replaces shape 1 in the cache of three shapes, because shape 0 was used later
     assert [found(number) for number in (0, 2, 3)] == ["of 0", "of 2", "of 3"] and asked == [0, 1, 2, 3]
     assert found(1) == "of 1" and asked == [0, 1, 2, 3, 1]

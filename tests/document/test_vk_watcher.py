@@ -104,7 +104,7 @@ def test_change_while_inactive_outdates_the_mark(watched):
     switch(first, True, commands[:-3])
     assert first.Label2.endswith(" · outdated⟧")
     switch(first, False, commands)
-    assert first.Label2 == "⟦switched off⟧"  # instead of "outdated", because it is more important to the user
+    assert first.Label2 == "⟦switched off⟧"  # "switched off" is more important to the user than "outdated"
     watched.controller.Tool.Diameter = 4
     watched.document.recompute()
     assert first.Label2 == "⟦switched off⟧" and watched.second.Label2.endswith(" · outdated⟧")

@@ -92,7 +92,7 @@ def view(opened, window):
 def test_zigzag_makes_no_full_turn_in_the_gauss_map(view, window):
     signature = view.signature
     assert len(signature) > 20 and (signature.level == 0).all()
-    # The title contains the level of the operation, and the level of the area if it differs.
+    # The title has the level (number of whole turns) of the operation, and of the area if its level differs.
     assert view.title.text().count("level n = 0") >= 1
     assert view.title.text().startswith("Face: zigzag 9")
     assert view.slider.value() == view.slider.maximum() == len(signature)
@@ -162,7 +162,7 @@ def test_chosen_area_is_shown_in_the_gauss_map(view, opened, window):
     areas = view.dock._reading.areas
     lengths = [areas.area_length[view.chooser.itemData(row)] for row in range(view.chooser.count())]
     assert lengths[1:] == sorted(lengths[1:], reverse=True)
-    # The first area is the evidence of the verdict: its largest phi is the phi in the mark.
+    # The first area in the list explains the strategy: its largest phi is the phi in the mark in the tree.
     assert view.signature.phi_range[1] == pytest.approx(view.dock._reading.recognition.phi_range[1], abs=1e-9)
     before = view.picture()
     view.chooser.setFocus()
@@ -357,7 +357,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
     assert "φ" in first and "phi" not in view.title.text().lower()  # the title writes phi as φ
     assert f"level n = {row['level']}," in second
     assert second.startswith("φ between {} and {} turns".format(*map(ENGLISH.turns, found.phi_range)))
-    # The drawn range is the named range of the area, its closing turn included.
+    # The drawn range of phi is the area's range, including the turn from a loop's last side to its first side.
     figure, signature = view.canvas.figure, view.signature
     assert (figure.phi.min(), figure.phi.max()) == signature.phi_range
     assert f"{ENGLISH.turns(figure.phi.max())} turns, level n = {signature.top_level}," in third
@@ -366,7 +366,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
     assert low < min(figure.phi.min(), figure.limits[0]) and high > max(figure.phi.max(), figure.limits[1])
 
 
-def test_condition_on_phi_that_decides_is_named(view, opened, window):
+def test_condition_on_phi_for_the_strategy_is_named(view, opened, window):
     named = {}
     for label in ("Face", "Pocket around island", "Bore", "Drill holes"):
         select(labelled(opened, label))

@@ -110,7 +110,7 @@ def test_next_analysis_uses_the_machine(page, opened, window):
 
 
 def row_page(window, label):
-    """Select an operation or job in the results, and return the panel and the text of its page."""
+    """Select an operation or job in the results, and return the panel and the text of its details."""
     panel = window.show_results()
     model = panel.tree.model()
     (index,) = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1, QtCore.Qt.MatchRecursive)

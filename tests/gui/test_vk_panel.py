@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The results panel: its tree, columns, filter, page and exports, and the selection, which is also FreeCAD's."""
+"""The results panel: its tree, columns, filter, details and exports, and the selection, shared with FreeCAD."""
 
 import csv
 import json
@@ -361,7 +361,7 @@ def test_click_on_a_row_selects_the_operation(panel, opened, window):
 
 
 @pytest.mark.long
-def test_page_shows_phi_only_after_a_click_on_why(panel, opened, window):
+def test_details_show_phi_only_after_a_click_on_why(panel, opened, window):
     click_row(window, panel, "Bore")
     (found,) = [o for o in vkworkbench.analyze(opened).operations if o.label == "Bore"]
     assert ("φ" not in text_of(panel) and "going down" in text_of(panel).lower()) or "descending" in text_of(panel)
@@ -382,7 +382,7 @@ def test_page_shows_phi_only_after_a_click_on_why(panel, opened, window):
     assert "φ" not in text_of(panel)
 
 
-def test_page_keeps_numbers_and_units_together(panel, window):
+def test_details_keep_numbers_and_units_together(panel, window):
     click_row(window, panel, "Bore")
     block, told = panel.details.document().begin(), []
     while block.isValid():
@@ -524,7 +524,7 @@ def test_simulation_time_in_the_panel_is_the_time_in_the_marks(panel, opened, wi
 
 
 def test_texts_show_inches_if_freecad_shows_inches(panel, opened, window):
-    """Mark, tooltip and page show no millimetres if FreeCAD shows inches."""
+    """Mark, tooltip and details show no millimetres if FreeCAD shows inches."""
     schema, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     FreeCAD.Units.setSchema(3)
     links = ("why", "numbers")
@@ -761,7 +761,7 @@ def test_other_table_rows_stay_when_one_is_analyzed_again(panel, opened, window)
 
 
 @pytest.mark.long
-def test_total_of_a_selection_has_a_remark(opened, window):
+def test_note_says_that_a_total_covers_only_a_selection(opened, window):
     posted = vkworkbench.analyze(opened).totals[0].operations
     Gui.Selection.addSelection(labelled(opened, "Face"))
     window.click("Analyze Toolpaths")
@@ -834,7 +834,7 @@ def test_results_and_gauss_map_are_tabs_of_one_dock(opened, window):
 
 
 def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_path):
-    """After reopening, columns and page are as before; numbers that a mark does not store need a new analysis."""
+    """After reopening, columns and details are as before; numbers that a mark does not store need a new analysis."""
     before = {title: column(panel, title) for title in FIRST}
     label = "Pocket zigzag"
     click_row(window, panel, label)
@@ -863,7 +863,7 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
 
 @pytest.mark.long
 def test_z_buffer_total_is_the_same_everywhere(opened, window, tmp_path):
-    """Report, mark, panel and page show the same z-buffer total, also after reopening the document."""
+    """Report, mark, panel and details show the same z-buffer total, also after reopening the document."""
     results, again = None, None
     preferences.write(mark_simulator="z-buffer")
     try:
@@ -914,7 +914,7 @@ def test_line_breaks_in_a_column_title_are_removed_in_names(title, name):
     assert Column("key", title, "", None).name == name
 
 
-def test_page_without_a_document_shows_a_hint(window):
+def test_details_without_a_document_show_a_hint(window):
     assert not FreeCAD.listDocuments()
     document = FreeCAD.newDocument("Empty")
     window.activate("VkWorkbench")
@@ -927,8 +927,8 @@ def test_page_without_a_document_shows_a_hint(window):
 
 
 @pytest.mark.long
-def test_same_time_is_shown_everywhere(panel, opened, window, tmp_path):
-    """Mark, tooltip, list, page, warning, table and CSV show the same time, rounded in the same way."""
+def test_machining_and_simulation_times_agree_everywhere(panel, opened, window, tmp_path):
+    """Mark, tooltip, list, details, warning, table and CSV show the same times, rounded in the same way."""
     report, chosen = vkworkbench.analyze(opened), preferences.read()
     window.answer_file_dialog(tmp_path / "results.csv", panel.csv.trigger)
     rows = {row["label"]: row for row in csv.DictReader(open(tmp_path / "results.csv", encoding="utf-8"))}

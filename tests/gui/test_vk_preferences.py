@@ -83,7 +83,7 @@ def test_page_shows_defaults_and_keeps_changes(opened, with_page, window):
     assert preferences.read() == expected
 
 
-@pytest.mark.parametrize("schema", first_everywhere([3, 0, 5, 7]))  # schemas: inches, mm, and two other imperial ones
+@pytest.mark.parametrize("schema", first_everywhere([3, 0, 5, 7]))  # unit schemas: inches, mm, two other imperial
 def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
     before = Preferences(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     preferences.write(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
@@ -102,7 +102,7 @@ def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
 def test_preferences_page_shows_freecads_units(with_page, window):
     units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
     schema = FreeCAD.Units.getSchema()
-    FreeCAD.Units.setSchema(3)  # schema "imperial decimal"
+    FreeCAD.Units.setSchema(3)  # unit schema "imperial decimal"
     try:
         texts = []
         with_page(lambda form: texts.append(form.tolerance.findChild(QtGui.QLineEdit).text()), CANCEL)

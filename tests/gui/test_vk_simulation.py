@@ -46,7 +46,7 @@ def simulated(desk, window):
     return desk.shared(desk.small).player
 
 
-# The whole example
+# Tests with the whole example
 
 
 def test_click_shows_the_simulated_part(whole, window):
@@ -237,10 +237,10 @@ def test_crash_is_found_in_three_clicks(desk, window):
         menu = warnings.menu()
         texts.extend(action.text() for action in menu.actions())
         window.screenshot("simulation-crash-2")
-        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # the second of the three clicks
+        window.click_at(menu, menu.actionGeometry(menu.actions()[0]).center())  # second click: choose the crash
 
     QtCore.QTimer.singleShot(300, choose)
-    window.click_on(warnings)  # the first of the three clicks
+    window.click_on(warnings)  # first click: open the menu of warnings
     assert texts[0].startswith(f"Pocket around island, command {number + 1} ({code}): A rapid move removes ")
     window.wait(lambda: player.pictures.is_current)
     source = player.simulation.source(player.moment.done - 1)
@@ -264,7 +264,7 @@ def test_crash_is_found_in_three_clicks(desk, window):
     panel.hide()
 
 
-# Four operations in one tab
+# Tests that share one tab with four operations
 
 
 def test_step_buttons_go_to_commands_and_operations(simulated, window):
@@ -330,7 +330,7 @@ def test_time_line_explains_its_colours(simulated, window):
     QtGui.QToolTip.hideText()
 
 
-def test_model_before_the_finest_picture_is_not_called_missing(simulated):
+def test_legend_calls_the_model_missing_only_after_last_picture(simulated):
     drawing = simulated.drawing
     simulated.scene_bar.colorings.setCurrentIndex(simulated.scene_bar.colorings.count() - 1)
     said, simulated_ = [], drawing.simulated
@@ -418,7 +418,7 @@ def test_legend_is_complete_in_a_narrow_tab(simulated, window):
     legend.deleteLater()
 
 
-# Tabs and documents of their own
+# Tests that open their own tabs and documents
 
 
 def test_tab_is_readable_on_light_and_dark_themes(desk, window, theme):
@@ -575,7 +575,7 @@ def make_crash(document):
 
 
 @pytest.mark.long
-def test_faults_are_the_same_from_every_side(desk, document, window):
+def test_faults_are_the_same_in_every_view(desk, document, window):
     op = make_crash(document)
     player = shown(desk.simulate(), window)
     found = player.faults

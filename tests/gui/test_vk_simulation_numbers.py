@@ -133,7 +133,7 @@ def test_marks_in_the_tree_show_the_latest_faults():
     assert wrong == [(7, crash.what), (0, gouge(0, 0.3).what)] and len(told) == 2
 
 
-def test_equal_differences_have_different_places():
+def test_equal_differences_are_listed_with_their_places():
     job = job_of(SLOT)
     known = KnownFaults(job, Clock(job))
     left = [Fault(None, None, None, (x, 2.0, 19.25), Message("leaves-material", depth=1.0), False) for x in (1.5, 58.0)]
@@ -160,7 +160,7 @@ def test_saved_removal_rates_are_volumes_per_minute(tmp_path):
 
 
 def colored(make, volumes, ends):
-    clock = Clock.__new__(Clock)  # without __init__, which needs a job
+    clock = Clock.__new__(Clock)  # do not call __init__, which needs a job
     clock.ends, clock.cuts = np.array(ends), volumes
     job = coloring.Job(("Op",), (Strategy.UNKNOWN,), clock, np.array(volumes), None, False, 0.1)
     return make(None, job)

@@ -344,7 +344,7 @@ def test_space_plays_after_returning_to_the_tab(tab, window):
     assert tab.player.moment.plays
 
 
-# Pictures of the whole job
+# Tests that save pictures of the whole job
 
 
 @pytest.fixture

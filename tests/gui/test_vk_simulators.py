@@ -11,7 +11,7 @@ from vkworkbench.gui.qt.sentences import user
 OLD = freecad.version() < (1, 0, 0)
 
 
-def test_first_analysis_notes_the_renderer(marked):
+def test_first_analysis_stores_the_opengl_renderer(marked):
     known = calibration.constants(calibration.known_speed(), preferences.read().renderer)
     assert preferences.read().renderer and known.cell != DEFAULTS.cell
 

@@ -74,7 +74,7 @@ def nodes(document):
     return len(list(search.getPaths()))
 
 
-def test_trajectories_have_the_colours_of_their_spans():
+def test_trajectories_have_the_colours_of_their_strategies():
     commands = [("G0", {"Z": 5.0}), ("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0})]
     for row in range(20):
         commands += [("G1", {"X": 60.0 * (row % 2 == 0)}), ("G1", {"Y": 2.0 * row + 2})]

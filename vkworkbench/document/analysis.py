@@ -274,7 +274,7 @@ def _misfits(
     """Return remarks if tool or stock do not fit the toolpath. `finished`: whether the stock equals the model."""
     too_wide = tool.diameter > max(stock.upper[0] - stock.lower[0], stock.upper[1] - stock.lower[1])
     at_it = cuts_surely(toolpath, stock) or (too_wide and may_cut(toolpath, tool, stock))
-    # The number of traces is read last, because reading it computes an estimate.
+    # The number of traces in the z-buffer is read last, because reading this number computes an estimate.
     if not at_it and costs[ZBUFFER.name].traces == 0:
         return [Message("stock-is-model") if finished else Message("not-touching")]
     return [Message("tool-wider-than-stock")] if too_wide else []

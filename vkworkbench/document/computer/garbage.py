@@ -34,7 +34,7 @@ def release() -> None:
 
 
 def collect() -> None:
-    """Collect young objects if there are many. Collecting old objects takes longer and waits until `release`."""
+    """Collect unreachable new objects if there are many new objects; old objects wait until `release`."""
     if _was_on and gc.get_count()[0] > gc.get_threshold()[0]:
         gc.collect(1)
 

@@ -32,7 +32,10 @@ def work(steps: Iterator) -> None:
 
 
 def later(name: str, call: Callable[[], None]) -> None:
-    """Call a function when FreeCAD is idle; a later call of the same name replaces it. Do nothing without a window."""
+    """Call a function when FreeCAD is idle; without a window, do nothing.
+
+    A later call of `later` with the same name replaces the function.
+    """
     if _soon is not None:
         if name not in _calls:
             _soon(lambda: _calls.pop(name)())  # noqa: PLW0108 - looks the call up when it runs

@@ -216,7 +216,7 @@ def _of_document(document) -> Iterator[Operation]:
     for obj in document.Objects:
         if is_operation(obj):
             job = job_of(obj)
-            # An operation of a job that was not found above is not in the job's group, and the job does not post it.
+            # An operation that was not found above is not in the group of its job, so the job does not post it.
             yield from _with_bases(obj, job, counted=job is None)
 
 

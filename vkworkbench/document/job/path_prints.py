@@ -19,7 +19,7 @@ class PathPrints:
 
     def __init__(self) -> None:
         self._watches = False
-        # Fingerprints by the names of document and object; instead of a fingerprint that is being computed, its token.
+        # Fingerprints of paths by the names of document and object; a token replaces a fingerprint being computed.
         self._kept: dict[str, dict[str, str | object]] = {}
 
     def of(self, obj) -> str | None:

@@ -207,7 +207,7 @@ def placed(toolpath: Toolpath, placement) -> Toolpath:
     Raises
     ------
     Unusable
-        If the placement is not finite, or farther away than a kilometre.
+        If the placement is not finite, or farther than a kilometre from the origin along an axis.
     """
     if placement is None or placement.isIdentity():
         return toolpath

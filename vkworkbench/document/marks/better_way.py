@@ -14,7 +14,7 @@ from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS
 
-OURS = "ours"  # the way that stands for the simulation tab of this add-on
+OURS = "ours"  # value of `way` for the simulation tab of this add-on
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ def read(obj) -> Record | None:
 
 
 def _kept(obj) -> Record | None:
-    """Return the stored mark of an object: for an operation that was switched off, its mark from before that."""
+    """Return the stored mark of an object; for an inactive operation, its mark from before it was switched off."""
     return record.from_json(mark_properties.mark_data(obj))
 
 
@@ -261,7 +261,7 @@ def _keep(obj, known: Record, chosen: Preferences, *, new: bool = False) -> None
 def _describe(obj, spans: list[tuple[int, int]], text: str) -> None:
     """Replace the first text of the mark in a description by a new text, and remove the mark's other texts.
 
-    The parameter `spans` has the begin and end of each text. If it is empty, the new text is appended.
+    The parameter `spans` has the begin and end of each text. If `spans` is empty, the new text is appended.
     """
     label2 = obj.Label2
     for start, end in reversed(spans[1:]):

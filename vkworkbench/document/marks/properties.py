@@ -50,7 +50,7 @@ def is_mark(obj, name: str) -> bool:
 
 
 def _has_earlier_mark(obj) -> bool:
-    """Return whether an object has a mark with the property's name of earlier versions, by its group or its data."""
+    """Return whether an object's property with the earlier name is a mark, by the property's group or data."""
     if not hasattr(obj, _EARLIER):
         return False
     if _group(obj, _EARLIER) == freecad.ADDED_GROUP:
@@ -79,7 +79,7 @@ def ours(obj) -> list[str]:
 
 
 def text_written(obj) -> str | None:
-    """Return the text that the mark has written into the description; None if the text is unknown."""
+    """Return the text of the mark in the tree, as last written into the description; None if it is unknown."""
     return _part(obj, "text")
 
 

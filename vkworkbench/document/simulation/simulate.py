@@ -217,7 +217,7 @@ class Simulation(SimulatedPart):
         return self.job.operations[source.cut], source.command
 
     def _of_solid(self) -> ZBuffer:
-        """Return a z-buffer along the tool axis that shows the whole stock: this z-buffer, or `along_axis`'s."""
+        """Return a z-buffer along the tool axis that shows the whole stock: this or the one of `along_axis`."""
         frame, stock = self.zbuffer.frame, self.job.stock
         beside = np.abs((stock.lower + stock.upper)[:2] / 2 - frame.centre[:2]) + (stock.upper - stock.lower)[:2] / 2
         shown = (beside <= np.array([frame.width, frame.height]) / 2 * frame.pixel * (1 + _ROUNDING)).all()

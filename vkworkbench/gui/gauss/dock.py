@@ -350,7 +350,7 @@ def _row(*widgets: QWidget) -> QHBoxLayout:
 
 
 def _reached(phi_range: tuple[float, float], level: int, reversals: int) -> str:
-    """Return an area's range of phi, its level n and its number of exact reversals as text."""
+    """Return an area's range of phi, its level n (number of whole turns) and its number of exact reversals as text."""
     text = translate("Vk_GaussMap", "φ between {} and {} turns, level n = {}, exact reversals: {}")
     return text.format(*map(user().turns, phi_range), level, user().count(reversals))
 

@@ -42,7 +42,7 @@ class GaussFigure:
         self._own = Polyline(self.vertices)
         self.k = len(signature) - 1
         self.phi, self.level = signature.phi, signature.level
-        # Append the turn from the last move of a closed path to the first move, which follows no other trajectory.
+        # In a closed path, append the turn from the last move to the first move.
         if signature.total_turning != signature.phi[-1]:
             self.phi = np.append(self.phi, signature.total_turning)
             self.level = np.append(self.level, level_of(signature.total_turning))

@@ -55,7 +55,8 @@ class Reading:
     Attributes
     ----------
     recognition : Recognition
-        The same recognition as in an analysis, so that mark, table and CSV show the same numbers.
+        The same recognition as in an analysis, so that the plots show the numbers of the mark in the tree,
+        the table and the CSV file.
     areas : Areas
         All monotonous areas of the toolpath.
     outline, links : Polyline

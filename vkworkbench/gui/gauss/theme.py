@@ -20,7 +20,8 @@ class Theme:
     text : str
         Colour of texts and of the shown area.
     faint : str
-        Colour of the curve of the level n, of the limits of phi, and of the toolpath outside the shown area.
+        Colour of the curve of the level n (number of whole turns), of the limits of phi, and of the toolpath outside
+        the shown area.
     v : str
         Colour of V_k, the sum of the first k moves, and of its angle theta.
     counter_clockwise, clockwise : str

@@ -29,7 +29,7 @@ from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.simulation.moment import Clock
 
 # RGB colours of the surfaces that n trajectories made, (n + 1, 3) uint8; (2, 3) if all trajectories have one colour.
-# For colours that differ within a surface, it is a function that returns the colour of each pixel.
+# For colours that differ within a surface: a function that returns the colour of each pixel.
 Colors = Union[np.ndarray, Callable[[ZBuffer], np.ndarray]]
 Entries = Tuple[Tuple[str, str], ...]
 
@@ -115,7 +115,7 @@ def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:
 def by_difference(zbuffer: ZBuffer, job: Job) -> Coloring:
     """Colour each pixel by the distance between part and model in the direction of the view.
 
-    Pixels at a wall of the part rarely count as different from the model.
+    Pixels at a wall of the part are rarely coloured as different from the model.
     """
     seen, tolerance = job.seen, job.tolerance
     if seen is None:

@@ -28,7 +28,7 @@ class Clock:
     Attributes
     ----------
     cuts : Cuts
-        The cuts of the job.
+        The cuts (toolpath and tool of each operation) of the job.
     ends : (n + 1,) float64
         ``ends[k]`` is the time after k trajectories, s.
     complete : bool
@@ -70,7 +70,7 @@ class Clock:
         return int(np.searchsorted(self.ends, seconds, side="right")) - 1
 
     def tool_tip(self, seconds: float) -> tuple[int, np.ndarray]:
-        """Return the number of the cut that runs after `seconds` of machining, and the tip of its tool, (3,) mm."""
+        """Return the number of the operation that runs after `seconds` of machining, and its tool's tip, (3,) mm."""
         trajectory = min(self.step(seconds), len(self.ends) - 2)
         begin, end = self.ends[trajectory], self.ends[trajectory + 1]
         share = min(max((seconds - begin) / (end - begin), 0.0), 1.0) if end > begin else 1.0
@@ -186,7 +186,7 @@ class Moment(QObject):
         self.done = self.clock.step(seconds) if trajectory is None else trajectory + 1
 
     def tool_tip(self) -> tuple[int, np.ndarray]:
-        """Return the number of the cut at the shown moment, and the tip of its tool, (3,) mm."""
+        """Return the number of the operation at the shown moment, and the tip of its tool, (3,) mm."""
         if self.plays:
             return self.clock.tool_tip(self.seconds)
         source = self.clock.cuts.source(self.last)

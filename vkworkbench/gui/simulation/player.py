@@ -113,7 +113,7 @@ class Player(QWidget):
         return super().event(event)
 
     def _make_room(self) -> None:
-        """Show as many optional rows as fit, the most important first. FreeCAD's tabs ignore minimum heights."""
+        """Show as many optional rows of controls as fit, most important first. FreeCAD's tabs ignore minimum heights."""
         always = (self.scene_bar.controls, self.play_bar.controls, self.time_line)
         left = self.height() - _PART - sum(widget.sizeHint().height() + GAP for widget in always)
         bar = self.scene_bar

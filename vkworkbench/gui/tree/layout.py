@@ -71,7 +71,7 @@ class Layout:
         self._space = metrics.horizontalAdvance(100 * _SPACE) / 100  # px; Qt would round the width of one space
 
     def add(self, kind: str, text: str, color: str, ink: str = TEXT) -> None:
-        """Add a piece, and a gap in the text over which the piece is painted."""
+        """Add a piece (pill or sign), and a gap in the text over which the piece is painted."""
         self._part()
         left, metrics = self._metrics.horizontalAdvance(self.text), self._metrics
         if kind == "outlined":  # the pill's text is part of the cell's text, which Qt's style paints in its own colour
