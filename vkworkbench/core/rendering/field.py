@@ -91,7 +91,10 @@ class Layer:
 
     @cached_property
     def normals(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Normals of the tops, as x, y and z of unit vectors. At a step, the smaller of a cell's two slopes is used."""
+        """Normals of the tops, as x, y and z of unit vectors.
+
+        At a step in height, the smaller of a cell's two slopes is used.
+        """
         x, y = slope(self.top, self.cell, 1), slope(self.top, self.cell, 0)
         upright = 1 / np.sqrt(1 + x * x + y * y)
         return -x * upright, -y * upright, upright

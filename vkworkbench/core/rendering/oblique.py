@@ -192,7 +192,7 @@ def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, cou
 def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     """Return the first step, from front to rear, at which the horizon reaches each pixel, (height, width) int32.
 
-    For pixels that the horizon never reaches, the result is the last step.
+    For pixels that the horizon never reaches, the result is the number of the last step.
 
     Parameters
     ----------
@@ -221,6 +221,8 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
 
 def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
     """Return the first step, front to rear, at which each pixel sees a column of material, (height, width) int32.
+
+    The lower ends of the columns of material can be at different heights.
 
     Parameters
     ----------

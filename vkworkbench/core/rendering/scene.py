@@ -217,7 +217,7 @@ class _Drawn(NamedTuple):
 
 
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_walls: list[_PartWalls] | None) -> _Drawn:
-    """Draw one layer (of columns of material) of a field.
+    """Draw one layer (at most one column of material in each cell) of a field.
 
     If `part_walls` is a list, the walls of the part are appended to it. With such a list, the result only shows whether
     a wall belongs to the raw stock or was cut, but not which trajectory cut the wall.

@@ -210,7 +210,7 @@ def _margin(toolpath: Toolpath) -> float:
 
 
 def _body_of(cut: Cut, body: str) -> Body | None:
-    """Return a part of a cut's tool, made smaller so that touching a wall is not a collision.
+    """Return a part of an operation's tool, made smaller so that touching a wall is not a collision.
 
     The result is None if the size of this part is unknown, or if the part is not wider than the tool.
     """
@@ -326,9 +326,9 @@ def _low_moves(cuts: Cuts, bodies: Sequence[Body | None], stock: Solid) -> np.nd
 
 
 def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: Solid) -> np.ndarray:
-    """Return, for each trajectory, the distance between the rays on which its body is checked, (n,) mm.
+    """Return, for each trajectory, the distance between the rays on which the shank or holder is checked, (n,) mm.
 
-    The distance is small if a body is narrow, or if a body is only slightly wider than its tool.
+    The distance is small if the shank or holder is narrow, or only slightly wider than its tool.
     """
     own = cuts.cut[low]
     radius = np.array([body.radius if body else 0.0 for body in bodies])[own][:, None]

@@ -8,11 +8,11 @@ direction (0, sine, -cosine), with the sine and cosine of the angle between the 
 
 For flat and ball ends, slots.py computes the interval in closed form. For other tools, let t from 0 to 1 be the
 position of the tool on its move. For each t, the ray enters and leaves the tool at some depth. The interval of the
-swept volume begins at the smallest of all entry depths and ends at the largest of all exit depths. The t of the
-smallest entry or the largest exit is an end of the move, a t where the ray touches a side face of the swept volume, or
-a t where the ray meets the edge between two faces. Closed forms give the few candidates for t. For bull-nose mills, the
-candidates are found by bisection of a monotone function. The entry and the exit are then computed at each candidate.
-For short moves, the ends of the move are usually the right candidates.
+swept volume begins at the smallest of all entry depths and ends at the largest of all exit depths. The position t for
+the smallest entry or the largest exit is an end of the move, a t where the ray touches a side face of the swept volume,
+or a t where the ray meets the edge between two faces. Closed forms give the few candidates for t. For bull-nose mills,
+the candidates are found by bisection of a monotone function. The entry and the exit are then computed at each
+candidate. For short moves, the ends of the move are usually the right candidates.
 """
 
 from __future__ import annotations
@@ -147,8 +147,9 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
         middle = (low + high) / 2
         r = np.sqrt(aside2 + middle**2)
         beyond = np.clip(r - flat, 0, tool.rounding)
-        # `rising` is True where the derivative d/dv of slope * v + profile is positive; its positive denominator is left
-        # out. On the flat tip the profile is constant, so the sign of the slope decides.
+        # `rising` is True where the tool's height above the point, slope * v + profile, increases with the tool's
+        # position v. The positive denominator of the derivative is left out. On the flat tip the profile is constant,
+        # so the height increases if the slope is positive.
         rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)

@@ -4,8 +4,8 @@
 Coordinates are the ray coordinates of intervals.py. The position t of the tool runs from 0 to 1 on its move. The depth
 at which a ray enters the tool is a convex function of t, and the depth at which the ray leaves the tool is a concave
 function of t. If the move were endless, closed forms would give the t at which the ray enters and leaves through the
-two upright walls and the bottom of the slot. Clipping the t of the endless move to the range from 0 to 1 gives the t of
-the first entry or the last exit. Therefore each end of the interval needs only one position of the tool.
+two upright walls and the bottom of the slot. Clipping this position t of the tool to the range from 0 to 1 gives the
+position for the first entry or the last exit. Therefore each end of the interval needs only one position of the tool.
 
 The shapes of the arrays broadcast with each other. For a grid of rays, x can be an array with one row, and y and z can
 be arrays with one column.
@@ -209,14 +209,15 @@ class _Walls:
         self.reach = np.where(along, np.copysign(_ENDLESS, uy), reach)
 
     def touched(self, sign: int) -> np.ndarray:
-        """Return the t at which the ray enters (sign -1) or leaves (sign 1) through a wall of the endless slot."""
+        """Return the tool position t at which a ray enters (sign -1) or leaves (sign 1) a wall of the endless slot."""
         touched: np.ndarray = self.x * self.inverse + sign * self.reach
         return touched
 
     def chord_end(self, t: np.ndarray, sign: int) -> np.ndarray:
         """Return the horizontal distance along the ray from the tool's axis to the wall at the positions `touched`, mm.
 
-        The ray always meets the tool at the positions `touched`, so negative squares are rounding errors.
+        The ray always meets the tool at the positions `touched`, so negative values of the squared half chord are
+        rounding errors.
         """
         return _signed_root(np.maximum(self._half2(t), 0), sign)
 
