@@ -75,7 +75,7 @@ def test_times_on_a_busy_computer_equal_times_on_a_quiet_one():
 
 @pytest.mark.skipif(os.name == "nt", reason="its clock of the processor is too coarse")
 def test_waiting_takes_no_processor_time():
-    """The shortest of five waits counts, because other work of a busy computer may disturb some waits."""
+    """The shortest of five waits is tested, because other work of a busy computer may disturb some waits."""
     times = [processor_clock()]
     for _ in range(5):
         time.sleep(0.05)

@@ -493,7 +493,7 @@ def test_machine_position_in_x_and_y_is_ignored_with_a_remark():
         assert [problem.what.code for problem in path.problems] == ["machine-position"]
 
 
-def test_machine_height_is_known_after_relative_moves():
+def test_machine_height_is_computed_after_relative_moves():
     path = linearize(
         [("G0", {"X": 0, "Y": 0, "Z": 5}), ("G91", {}), ("G1", {"Z": -6, "F": 1}), ("G28", {"Z": 0}), ("G1", {"X": 9})]
     )

@@ -126,7 +126,7 @@ def test_splines_end_at_their_target():
     assert len(spline) > 20 and tuple(spline[-2]) == (1, 1, 5)
     assert np.abs(spline - (0.5, 2.75, 5)).max(axis=1).min() < 0.05
     middle = np.array(points("G5.1 X10 Y0 I5 J10"))
-    assert abs(middle[:, 1].max() - 5) < 0.01  # The top of the parabola is at half the height of its control point.
+    assert abs(middle[:, 1].max() - 5) < 0.01  # A parabola rises to half the height of its control point.
 
 
 def test_thread_feed_is_pitch_times_speed():

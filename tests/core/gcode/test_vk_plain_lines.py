@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines with plain moves are read many at a time, into columns, with the commands of reading line by line."""
+"""Lines with plain moves are read many at a time, into columns, and give the same commands as line by line."""
 
 import random
 

@@ -19,7 +19,7 @@ def said(text):
 
 
 @pytest.mark.parametrize("code", ["G154 P7", "G110", "G129", "G500", "G505", "G599"])
-def test_work_offsets_of_haas_and_siemens_are_known(code):
+def test_work_offsets_of_haas_and_siemens_are_recognised(code):
     assert said(f"G0 {code} X1 Y2\nZ5\n{code}\nG1 Z-1 F60\nG0 Z5") == []
     assert last(f"G0 {code} X7 Y8") == (7, 8, -1)
     name = code.split(maxsplit=1)[0]
@@ -34,7 +34,7 @@ def test_change_from_g154_p1_to_p2_of_haas_has_a_remark():
     ]
 
 
-def test_work_and_tool_offsets_of_okuma_are_known():
+def test_work_and_tool_offsets_of_okuma_are_recognised():
     begin = "G15 H1\nG21 G90\nG0 X0 Y0\nG56 HA Z5\nG1 Z-1 F60\nG41 DA X10 Y2\nG40\nG55 H2 Z7\nG15 H1\n"
     assert said(begin) == ["Line 6: Cutter compensation (G41) is ignored. The programmed path is used."]
     assert read_program(begin).toolpath().points[:, 2].tolist() == [5, -1, -1, 7]

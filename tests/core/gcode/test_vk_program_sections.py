@@ -424,7 +424,7 @@ def test_operation_keeps_the_tool_described_before_its_title():
     assert sections(f"(END MILL 6MM)\n(POCKET)\n{CUT}") == [("POCKET", None, 6)]
 
 
-def test_tool_without_description_after_a_change_is_unknown():
+def test_tool_without_description_after_a_change_has_no_size():
     assert sections(f"T1 M6 (End mill 6mm)\n{CUT}T2 M6\n{CUT}") == [("End mill 6mm", 1, 6), ("", 2, None)]
 
 

@@ -95,7 +95,7 @@ def test_neighbours_of_a_move_are_its_previous_and_next_move():
 
 
 @pytest.mark.parametrize("width, kept", [(0.015, False), (0.03, True)])
-def test_tiny_move_above_rounding_has_a_direction(width, kept):
+def test_move_of_0_03_mm_between_long_moves_has_a_direction(width, kept):
     areas = areas_of(*feed((0, 0, -1), (20, 0, -1), (20, width, -1), (40, width, -1)))
     assert len(areas) == 2 + kept
 

@@ -56,7 +56,7 @@ def test_each_nested_square_adds_one_full_turn_to_phi():
     assert signature(spiral * [1, -1]).level.min() == -3
 
 
-def test_theta_jumps_back_while_its_level_rises():
+def test_theta_jumps_back_while_the_number_of_turns_rises():
     """On a square spiral from its middle, n counts the turns of phi, and theta jumps from pi to -pi."""
     spiral = [(0, 0), (1, 0), (1, 1), (-1, 1), (-1, -1), (2, -1), (2, 2), (-2, 2), (-2, -2)]
     result = signature(spiral)

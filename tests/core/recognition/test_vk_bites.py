@@ -59,7 +59,7 @@ def test_stroke_that_bends_less_than_a_quarter_is_not_a_bite():
     assert bites([(0, 0, 0), (20, 0, 0)], [(0, 1, 0), (20, 1, 0)]) == "--"
 
 
-def test_arc_bent_in_the_other_sense_is_counted_against_bites():
+def test_arc_bent_in_the_other_sense_counts_against_bites():
     assert bites(arc(0), arc(2), arc(4), arc(100, clockwise=True)) == "bbba"
     assert bites(arc(0, clockwise=True), arc(2, clockwise=True), arc(4, clockwise=True), arc(6)) == "bbba"
 
@@ -86,10 +86,10 @@ def test_stroke_that_turns_back_is_not_a_bite():
     assert bites(wavy(0.0), wavy(1.0)) == "--"
 
 
-def test_slopes_depths_and_footprints_of_strokes_are_counted():
+def test_slopes_depths_and_distinct_strokes_are_counted():
     found = strokes_of([arc(0), arc(0, z=-2.0), arc(50, z=-2.0), arc(100, drop=1.0)])
     assert found.sloped.tolist() == [False, False, False, True]
-    assert (found.distinct, found.depths) == (3, 2)  # A sloped stroke does not add a depth.
+    assert (found.distinct, found.depths) == (3, 2)  # The depths of sloped strokes are left out.
     assert found.typical == pytest.approx(0.4 * 2 * math.pi * 10, rel=0.01)
 
 

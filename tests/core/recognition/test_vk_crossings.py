@@ -123,7 +123,8 @@ def test_crossings_are_sampled_from_the_middle_rows():
     assert crossings == pytest.approx(600) and level["count"] == pytest.approx(log1p(599))
     assert (level["opposite"], level["signed"], level["keep"]) == pytest.approx((0, 1, 1))
     moves = monotonous_areas(linearize(commands))
-    for rows in (np.arange(2000), np.arange(0, 2000, 2)):  # A sample of half of the rows is sufficient.
+    # The number of scan lines is 2 for all rows, and for a sample of every second row.
+    for rows in (np.arange(2000), np.arange(0, 2000, 2)):
         assert np.unique(_cross(moves, Sample.of(moves, rows)).line).tolist() == [0, 1]
     few = monotonous_areas(linearize(programs.zigzag(ROWS, 50.0, STEP)))
     assert np.unique(_cross(few, Sample.of(few, np.arange(len(few)))).line).tolist() == list(range(12))

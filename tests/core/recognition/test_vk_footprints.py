@@ -37,7 +37,7 @@ def test_moved_or_larger_piece_has_another_footprint(other):
     assert count == 2 and again.tolist() == [True, False, True]
 
 
-def test_same_box_with_longer_path_is_another_footprint():
+def test_longer_path_in_the_same_box_has_another_footprint():
     """Both paths have the same bounding box, and one path is longer because it also crosses the box."""
     x, y, _ = np.min(polygon(**SQUARE), axis=0)
     wave = [(x, y, 0), (x + 20, y, 0), (x + 20, y + 10, 0), (x, y + 10, 0), (x, y + 20, 0), (x + 20, y + 20, 0)]
@@ -50,7 +50,7 @@ def test_rounding_does_not_change_a_footprint():
     assert footprints(pieces, every(pieces))[1] == 1
 
 
-def test_shift_of_more_than_a_tenth_is_another_footprint():
+def test_piece_shifted_by_0_11_mm_has_another_footprint():
     pieces = pieces_of(*(polygon(**SQUARE, x=0.11 * k) for k in range(10)))
     assert footprints(pieces, every(pieces))[1] == 10
 

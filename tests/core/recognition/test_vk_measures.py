@@ -172,7 +172,7 @@ def test_turn_below_a_ten_thousandth_counts_as_straight(turn, keeps):
 
 
 @pytest.mark.parametrize("other, surprise", [(14.5, 0), (15.5, log(2))])
-def test_turns_within_fifteen_degrees_are_equal(other, surprise):
+def test_turns_in_one_class_of_fifteen_degrees_count_as_equal(other, surprise):
     heading = np.radians(np.cumsum([0, 14, other, 14, other]))
     points = np.cumsum(np.column_stack((np.cos(heading), np.sin(heading), 0 * heading)) * 10, axis=0)
     holds(told(programs.program([[(0.0, 0.0, 0.0), *points.tolist()]])), {"surprise": surprise})

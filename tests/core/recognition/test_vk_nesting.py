@@ -108,13 +108,13 @@ def reached(*sides, tool=0.0, z=None, areas=None):
     return reach(rings, tool, area), *next_steps(rings)
 
 
-def test_rings_with_a_tool_are_within_its_reach():
+def test_nested_rings_are_within_the_reach_of_a_known_tool():
     limit, steps, drops = reached(40.0, 36.0, 32.0, tool=3.0)
     assert limit == pytest.approx(3.6) and steps.tolist() == [2, 2] and drops.tolist() == [0, 0]
     assert reached(40.0, 39.99, tool=3.0)[0] == pytest.approx(3.6)  # The two rings count as one ring.
 
 
-def test_rings_without_a_tool_are_within_two_steps():
+def test_nested_rings_of_an_unknown_tool_are_within_two_steps():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
     # With only two rings, the largest distance is a twentieth of the larger ring.
     assert reached(40.0, 38.0)[0] == pytest.approx(2)
@@ -123,16 +123,16 @@ def test_rings_without_a_tool_are_within_two_steps():
     assert reached(40.0, 40.0, 38.0, 36.0)[0] == pytest.approx(2)
 
 
-def test_reach_without_a_tool_needs_similar_steps():
-    """Less than half of the steps (2, 2, 5, 6 and 7 mm) are similar, so the reach is a twentieth of 70 mm."""
+def test_reach_of_an_unknown_tool_is_computed_from_similar_steps():
+    """Fewer than half of the steps (2, 2, 5, 6, 7 mm) are similar, so rings are at most a twentieth of 70 mm apart."""
     limit, steps, _ = reached(70.0, 66.0, 62.0, 52.0, 40.0, 26.0)
     assert steps.tolist() == [2, 2, 5, 6, 7] and limit == pytest.approx(3.5)
 
 
-def test_steps_within_thirty_percent_are_similar():
+def test_steps_between_rings_within_thirty_percent_are_similar():
     """Two steps are 2 mm and four are 2.5 mm.
 
-    The reach is twice the usual step, which is more than a twentieth of 60 mm.
+    The largest distance between rings is twice the usual step, which is more than a twentieth of 60 mm.
     """
     sides = 60.0 - 2 * np.cumsum([0, 2, 2, 2.5, 2.5, 2.5, 2.5])
     assert reached(*sides)[0] == pytest.approx(4)

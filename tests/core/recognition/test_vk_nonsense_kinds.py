@@ -27,7 +27,7 @@ def test_odometer_curve_visits_each_cell_once(seed):
 
 
 @pytest.mark.parametrize("kind", [nonsense.wunderlich, nonsense.odometer, nonsense.morton])
-def test_plane_filling_curves_are_unknown(kind):
+def test_plane_filling_curves_have_the_strategy_unknown(kind):
     paths = [linearize(nonsense.commands(kind, np.random.default_rng([seed, 7]))) for seed in range(10)]
     unknown = sum(recognize(path).strategy is Strategy.UNKNOWN for path in paths)
     assert unknown >= 9

@@ -46,7 +46,7 @@ def test_measures_are_finite_and_do_not_depend_on_position(label, accepted, make
         assert set(features(one, Strategy.ZIGZAG, None, tool=True)) == set(shipped_model().names)
         assert np.isfinite(list(one.values())).all()
         changed = {name: (one[name], other[name]) for name in one if abs(one[name] - other[name]) > 0.05}
-        # Measures computed from bounding boxes and cell corners change slightly.
+        # Measures computed from bounding boxes and cell corners change slightly if the toolpath is rotated.
         assert len(changed) <= 0.2 * len(one), changed
 
 

@@ -47,7 +47,7 @@ def test_open_strokes_keep_strategy_if_scaled_or_mirrored(make, strategy, scale)
 @pytest.mark.parametrize("seed", range(SEEDS))
 def test_stepover_of_open_offsets_is_their_distance(seed):
     draws = np.random.default_rng(seed)
-    draws.uniform()  # The first random value is the angle.
+    draws.uniform()  # The first random value is the angle of the offsets, and the second is their distance.
     step = draws.uniform(0.8, 1.8)
     found = recognize(linearize(open_offsets(np.random.default_rng(seed))))
     assert found.stepover == pytest.approx(step, rel=0.05) and found.passes >= 5

@@ -186,7 +186,7 @@ def test_box_of_cuts_between_retracts_includes_the_last_move():
 
 
 @pytest.mark.parametrize(("corner", "same"), [((20.0, 20.0), 1.0), ((29.0, 20.0), 0.0), ((20.0, 29.0), 0.0)])
-def test_equal_bounding_boxes_around_a_retract_are_one_area(corner, same):
+def test_equal_boxes_before_and_after_a_retract_are_one_area(corner, same):
     def rectangle(x, y):
         corners = ((x, 0.0), (x, y), (0.0, y), (0.0, 0.0))
         return [("G0", {"X": 0.0, "Y": 0.0}), ("G1", {"Z": -1.0}), *[("G1", dict(zip("XY", at))) for at in corners]]
@@ -247,7 +247,7 @@ def test_measures_of_two_stretches_between_retracts_are_exact():
         ("fastest", [20, 20.1], "same_feed"),
     ],
 )  # fmt: skip
-def test_cuts_around_a_retract_are_alike_within_rounding(name, values, measure):
+def test_heights_and_feeds_of_cuts_are_equal_within_rounding(name, values, measure):
     assert compare_visits(two_visits(**{name: values}))[measure] == 1
     # Heights differ by 0.03 mm, or feeds by 1.5 %.
     apart = [values[0], values[0] + 3 * (values[1] - values[0])]

@@ -186,8 +186,8 @@ def test_overlapping_circles_at_other_depths_are_not_moved_rings():
     assert not rings_of([polygon(16, x=2.0 * i, z=-2.0 * i, corners=24) for i in range(6)]).moved.any()
 
 
-def test_loops_around_ribs_are_not_moved_if_apart():
-    # Loops side by side that are narrower than their step do not cut into one another.
+def test_loops_around_separate_ribs_are_not_moved_rings():
+    # Loops side by side do not overlap if they are narrower than the step between them.
     for apart, moves in ((4.5, False), (3.5, True)):
         rings = rings_of([polygon(4, x=apart * i, ratio=10) for i in range(6)])
         assert rings.moved.tolist() == [moves] * 6
@@ -315,7 +315,7 @@ def test_incomplete_last_turn_of_a_spiral_is_not_a_turn(turns, rests):
     found = shapes_of(winding(5, 25, turns))
     assert np.count_nonzero(found.rest) == rests and not (found.rest & found.turn).any()
     assert np.count_nonzero(found.turn) >= 3
-    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # Sloped turns do not count.
+    assert not shapes_of(winding(9, 9, turns, drop=6)).turn.any()  # Turns that descend are not listed.
 
 
 def test_incomplete_turn_of_a_spiral_is_not_a_moved_ring():

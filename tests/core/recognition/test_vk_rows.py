@@ -239,11 +239,11 @@ def fills(tool=TOOL, contour=False, **changed):
 
 
 @pytest.mark.parametrize("opposite, same, good", [(130, 0, True), (0, 130, True), (70, 60, True), (60, 60, False)])
-def test_rows_fill_an_area_if_a_quarter_is_beside_other_rows(opposite, same, good):
+def test_rows_fill_an_area_if_a_quarter_of_length_is_beside_rows(opposite, same, good):
     assert fills(opposite=opposite, same=same) is good
 
 
-def test_repeated_rows_do_not_count_when_rows_fill_an_area():
+def test_repeats_of_rows_are_left_out_when_rows_fill_an_area():
     """The 120 mm beside other rows are over a quarter of 400 mm without repeats, and below a quarter of 500 mm."""
     assert fills(opposite=120, once=400.0) and not fills(opposite=120)
 
@@ -329,7 +329,7 @@ def test_crossed_rows_farther_apart_than_the_tool_are_not_a_grid(tool, grid):
     assert filling(families, tool, length=1000.0, contour=False) == (families if grid else [])
 
 
-def test_only_the_family_of_rows_that_fills_is_returned():
+def test_only_the_family_of_rows_that_fills_an_area_is_returned():
     across = replace(ACROSS, opposite=0.0)
     assert filling([GOOD, across], TOOL, length=1000.0, contour=False) == [GOOD]
 

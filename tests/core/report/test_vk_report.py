@@ -106,7 +106,7 @@ def test_total_is_incomplete_without_a_cutting_cost(other, incomplete):
     assert report(row).totals[0].incomplete is incomplete
 
 
-def test_job_facts_need_all_cutting_operations():
+def test_facts_of_a_job_need_all_its_cutting_operations():
     told = report(operation("One"), operation("Two"), replace(operation("Stop"), trajectories=0))
     both = SimulationFacts(
         (("One", FIRST), ("Two", SECOND)), JOINT, (("Doc", "One"), ("Doc", "Two")), ("", ""), trajectories={}
@@ -136,7 +136,7 @@ def test_verdict_on_a_job_is_in_table_and_files(tmp_path):
     assert told.with_facts(replace(one, left_out=())).verdicts == {}
 
 
-def test_verdict_on_a_job_is_sound_until_it_is_outdated():
+def test_verdict_on_a_job_is_not_sound_if_outdated():
     sound = JobVerdict(Verdict(pixel=0.1).message(()), "x")
     assert sound.is_sound and not replace(sound, outdated=True).is_sound
     assert "outdated" in str(replace(sound, outdated=True)) and "No collision" in str(sound)

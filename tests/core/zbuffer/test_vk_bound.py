@@ -108,7 +108,7 @@ def test_moves_above_the_stock_do_not_count_as_crossings():
     view = View(pixel=0.5)
     below = [(10, 10, 5), (40, 50, 5)]
     assert cauchy_crofton(path_of(below), stock=BLOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
-    # Seen from above, a plunge has no length.
+    # Seen from above, a plunge has no length, and therefore no crossings.
     on_top = [(70, 10, 20), (10, 10, 20), *below, (40, 50, 20), (70, 50, 20)]
     assert cauchy_crofton(path_of(on_top), stock=BLOCK, view=view) == pytest.approx(50 * 2 / pi / 0.5)
     for entered in ([(70, 10, 22), *below], [*below[::-1], (70, 10, 22)], [(70, 10, 22), *below, (40, 110, 22)]):

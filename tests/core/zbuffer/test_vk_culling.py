@@ -200,7 +200,7 @@ def test_uncut_or_invisible_quarters_of_tiles_are_dropped():
 
 @pytest.mark.long
 @pytest.mark.parametrize("heights, cut", [((6.0, 8.0), [0]), ((8.0, 6.0), [0, 2])])
-def test_trajectory_above_an_open_slot_is_culled(heights, cut):
+def test_trajectory_above_an_already_cut_slot_is_culled(heights, cut):
     """Trajectories 0 and 2 are slots, and trajectory 1 is the link.
 
     The second slot removes material only if it is deeper than the first slot.

@@ -86,7 +86,7 @@ def test_rapid_has_no_time_and_no_removal_rate():
         (60 * (short + slot) / 2.5, 60 * (short + slot / 4)), rel=5e-3
     )
     assert (found.cutting_length, found.cutting_seconds, found.air_length) == pytest.approx((25, 2.5, 0))
-    # The width is the mean over the feed moves, without the rapid.
+    # The width of cut is the mean over the feed moves, without the rapid.
     assert found.width_of_cut == pytest.approx(6, rel=5e-3)
 
 

@@ -89,7 +89,7 @@ def test_single_ray_of_a_group_is_cut(slots):
         (100, [(0, 67, [0, 0, 1, 1, 2, 4, 4])]),
     ],
 )
-def test_groups_of_rays_are_joined_up_to_a_number_of_tests(slots, allowed, parts, monkeypatch):
+def test_groups_of_rays_are_joined_up_to_a_limit_of_pairs(slots, allowed, parts, monkeypatch):
     """Two, two, one and no trajectories pass the full groups of rays, and two pass the last group of three rays."""
     y = np.repeat([-10.0, -10, 10, 0, -10], GROUP)[: 4 * GROUP + 3]
     monkeypatch.setattr(module, "_PAIRS_HELD", allowed * GROUP)

@@ -286,7 +286,7 @@ def test_noisy_time_measurements_give_positive_constants():
 def test_candidates_are_pixels_passed_by_trajectories(direction):
     """The path follows the edge of the stock, and also lies beside the stock.
 
-    Only the part of the path over the stock counts.
+    Pixels are candidates only where the path passes over the stock.
     """
     toolpath = path([(20, 20, 10), (60, 40, 10), (20, 40, 12), (-2, -2, 8), (-2, 90, 8)])
     view = View(direction, 240, 180)
@@ -354,7 +354,7 @@ def test_kinds_of_trajectories_in_a_band_are_batched_separately():
     assert apart.kinds < 0.7 and apart.bands == pytest.approx(7.5, rel=0.15)
     assert work((row, 6)).bands == pytest.approx(1 + 6 / 8, rel=0.15)
     assert work((path([(5, 5, 30), (75, 5, 30)]), 6)).bands == 0  # The path is above the stock.
-    # Only the part of the path in the image counts.
+    # The part of the path outside the image reaches no bands.
     assert work((path([(40, -50, 15), (40, 10, 15)]), 6)).bands == pytest.approx(1 + 13 / 8)
     # The number of bands is limited to the bands of the image.
     assert work((path([(40, -50, 15), (40, 110, 15)]), 6)).bands == 8

@@ -114,7 +114,7 @@ def test_depth_cut_in_a_whole_square_beside_the_axis_is_exact(tool, slope):
         (-6.5, 1.5, 2**0.5, 8**0.5),  # The square is past the end of the move, and 1.5 mm beside the move's line.
     ],
 )
-def test_level_bounds_are_those_of_nearest_and_farthest_point(tool, along, aside, near, far):
+def test_bounds_of_level_moves_are_at_nearest_and_farthest_point(tool, along, aside, near, far):
     """Squares of 1 mm near a move of 10 mm, with the distances of their nearest and farthest points from the move."""
     reaches, opens = bounded(tool, 0.0, along, aside, 0.5, 5.0)
     # The bounds of a ball allow 1e-9 mm2 for rounding.
@@ -123,7 +123,7 @@ def test_level_bounds_are_those_of_nearest_and_farthest_point(tool, along, aside
 
 
 @pytest.mark.parametrize("slope", SLOPES)
-def test_square_outside_tool_is_not_reached_nor_opened(slope):
+def test_square_beside_a_sweep_is_not_cut_or_not_wholly_cut(slope):
     flat = FORMS[0]
     assert bounded(flat, slope, 0.0, 3.6, 0.5, 5.0) == (-np.inf, -np.inf)
     assert bounded(flat, slope, 8.6, 0.0, 0.5, 5.0) == (-np.inf, -np.inf)

@@ -116,7 +116,7 @@ def test_facts_of_the_simulation_do_not_depend_on_batch_size(monkeypatch):
         ([0.5, 2.8, 0.2], [], [0], [2]),
         ([1, 1, 1], [0], [1], []),  # A rapid adds no length to a stretch.
         ([0.1, 0.1, 0.1, 0.1], [1], [0], [2, 3]),  # A rapid begins a new stretch.
-        # The volume that a rapid removes does not count for its neighbours.
+        # The volume that a rapid removes is not added to the stretches before and after the rapid.
         ([0.1, 0.1, 0.1, 0.1], [1], [1], [0, 2, 3]),
     ],
 )

@@ -246,7 +246,7 @@ def test_passes_that_cut_nothing_are_dropped_for_large_tiles():
     assert often.candidates < 12 * once.candidates
 
 
-def test_fast_cuts_of_rays_with_one_gap_equal_general_cuts():
+def test_fast_and_general_cuts_of_rays_with_one_gap_are_equal():
     rng = np.random.default_rng(5)
     rays, each = 300, 6
     near, far = np.full(rays, -3.0), rng.uniform(2, 9, rays)

@@ -204,7 +204,7 @@ def test_boxes_of_moves_bound_the_number_of_dexels_and_traces(direction):
 def test_bounding_box_of_a_move_limits_the_number_of_its_traces():
     """A move of 20 mm covers 26 x 6 mm in pixels of 0.5 mm, plus an edge, clipped to the image.
 
-    In an oblique view, each pixel counts twice.
+    Except in vertical views, each pixel in the box may need two dexels or traces for the move.
     """
     assert memory._most_records(removal(TOOLS[0], (0, 0, -1))) == 80 * 60 + 53 * 13
     assert (

@@ -142,7 +142,7 @@ def test_reading_ends_if_a_program_cannot_be_followed(line, why):
     assert said(text)[-1].endswith(f": {END}{why}")
 
 
-def test_variables_with_the_tools_position_are_known():
+def test_variables_with_the_tools_position_are_evaluated():
     linuxcnc = HEAD + "G52 X10\nG20 X1\nY[#5420+#<_y>]\no1 while [#<_x> LT 3]\nG91 X1\nG90\no1 endwhile\nG21 X#5420"
     assert ends(linuxcnc) == [(35.4, 0, 0), (35.4, 25.4, 0), (60.8, 25.4, 0), (86.2, 25.4, 0), (13, 25.4, 0)]
     assert said(linuxcnc) == []

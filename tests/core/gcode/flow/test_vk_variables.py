@@ -60,7 +60,7 @@ def test_unset_variable_is_0_or_empty_on_a_fanuc_control():
         assert said(f"{before}{line}\n") == [f"Line 4: {UNSET}"]
 
 
-def test_unreadable_assignment_makes_the_variable_unknown():
+def test_variable_with_an_unreadable_assignment_has_no_value():
     text = "G21\n#1=4\nG0 X0 Y0 Z5\n#1=[3\nG1 X2\nX#1\nX9\n"
     assert points(text)[-1] == [2, 0, 5]
     assert said(text)[1].startswith(
