@@ -2,8 +2,9 @@
 """Random documents, changes, marks, settings and clicks inside FreeCAD. tests/fuzz.sh runs this file.
 
 Each seed is one session: documents are made, changed, analysed, marked, damaged, copied, saved and closed. After each
-action every mark that claims to be current is compared with its toolpath. A session has failed if a current mark does
-not fit, if the add-on raises an undocumented error, or if FreeCAD's log shows a traceback from the add-on's code.
+action every mark in the tree that is not outdated is compared with its toolpath. A session has failed if such a mark
+does not fit its toolpath, if the add-on raises an undocumented error, or if FreeCAD's log shows a traceback from the
+add-on's code.
 
 An environment variable selects the sessions: VKWORKBENCH_FUZZ="SEED MINUTES [SESSIONS]".
 """
@@ -113,7 +114,7 @@ class Session:
         FreeCAD.ParamGet(preferences.GROUP).Clear()
         calibration_file().unlink(missing_ok=True)
 
-    # Random choices among the open documents and their objects
+    # The following methods choose randomly among the open documents and their objects.
 
     @property
     def document(self):
@@ -130,7 +131,7 @@ class Session:
     def something(self):
         return self.rng.choice([self.document, self.an_operation() or self.document, self.an_object() or self.document])
 
-    # Checks after each action
+    # The following methods check the documents after each action.
 
     def settle(self):
         for document in FreeCAD.listDocuments().values():
@@ -158,7 +159,7 @@ class Session:
         assert before == {obj.Name: (obj.Label, obj.Label2, list(obj.State)) for obj in find_all(what)}
         return report
 
-    # Actions on documents, with and without a window
+    # The following actions change documents, with and without a window.
 
     def do_new_document(self):
         if len(FreeCAD.listDocuments()) > 2:
@@ -382,7 +383,7 @@ class Session:
         with suppress(Unusable):
             str(vkworkbench.simulate(self.something_with_toolpaths(), view=view).facts)
 
-    # Actions in the window
+    # The following actions need the window.
 
     def click_analyze(self):
         self.click("Vk_Analyze")

@@ -105,7 +105,7 @@ CHAMFERS = [
     Tool("vbit", 5, tip_angle=0.7, tip_diameter=0.4),
     Tool("vbit", 6, tip_angle=2.6, tip_diameter=5.5),
 ]
-# One tool of each shape, and the shapes with each size of corner and tip.
+# At least one tool of each shape; bull-nose tools with two corner radii, V-bits with and without a flat tip.
 FORMS = [
     Tool("endmill", 6),
     Tool("ballend", 6),

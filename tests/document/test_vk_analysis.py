@@ -57,7 +57,7 @@ def test_every_operation_of_the_example_has_its_costs(report):
         assert len(o.reason) > 20
 
 
-def test_operation_below_a_dress_up_is_not_counted(report):
+def test_operation_below_a_dress_up_is_not_in_the_total(report):
     counted = {o.label: o.counted for o in report.operations}
     assert counted.pop("Cut out") is False and all(counted.values())
     (total,) = report.totals
@@ -195,7 +195,7 @@ def test_imported_toolpath_without_a_job_is_recognised(small):
     assert "no tool" in imported.error and "no stock" in imported.error
 
 
-def test_base_of_dress_up_and_array_is_not_counted(small, zigzag_commands):
+def test_common_base_of_dress_up_and_array_is_not_in_the_total(small, zigzag_commands):
     base = small.add("Base", zigzag_commands)
     dressup = small.add("Dress-up", zigzag_commands)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = base
@@ -223,7 +223,7 @@ def counted(what):
     return {o.label for o in vkworkbench.analyze(what).operations if o.counted}
 
 
-def test_array_base_outside_the_job_is_not_counted(small, zigzag_commands):
+def test_array_base_outside_the_job_is_not_in_the_total(small, zigzag_commands):
     """In FreeCAD 1.1, making an array removes the array's base from the job."""
     base = small.add("Base", zigzag_commands)
     array = array_of(small, zigzag_commands, base)
@@ -236,7 +236,7 @@ def test_array_base_outside_the_job_is_not_counted(small, zigzag_commands):
     assert [o.label for o in vkworkbench.simulate(small.document).job.operations] == ["Array"]
 
 
-def test_toolpath_without_a_job_is_counted(small, zigzag_commands):
+def test_toolpath_without_a_job_has_the_flag_counted(small, zigzag_commands):
     alone = small.add("Alone", zigzag_commands, job=False)
     assert counted(alone) == counted(small.document) == {"Alone"}
 
@@ -253,7 +253,7 @@ def test_array_base_still_belongs_to_the_job(small, zigzag_commands):
     assert not base.Label2
 
 
-def test_copy_of_an_operation_is_counted_with_its_original(small, zigzag_commands, monkeypatch):
+def test_copy_of_an_operation_and_original_are_in_the_total(small, zigzag_commands, monkeypatch):
     base, copy = small.add("Base", zigzag_commands), small.add("Copy", zigzag_commands)
     copy.addProperty("App::PropertyLink", "Base", "Path").Base = base
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [
@@ -264,7 +264,7 @@ def test_copy_of_an_operation_is_counted_with_its_original(small, zigzag_command
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [True, True]
 
 
-def test_array_is_counted_while_one_of_its_bases_is_active(small, zigzag_commands):
+def test_array_is_in_the_total_while_one_base_is_active(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     array_of(small, zigzag_commands, first, second)
     first.Active = False
@@ -273,7 +273,7 @@ def test_array_is_counted_while_one_of_its_bases_is_active(small, zigzag_command
     assert counted(small.job) == set()
 
 
-def test_base_of_a_dressed_up_array_is_counted(small, zigzag_commands):
+def test_base_of_a_dressed_up_array_is_in_the_total(small, zigzag_commands):
     array = array_of(small, zigzag_commands, small.add("Base", zigzag_commands))
     dressup = small.add("Dress-up", zigzag_commands)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = array

@@ -48,7 +48,7 @@ def dressed(op, bases, type_id="App::PropertyLink"):
     return op
 
 
-# Loops, links and odd objects
+# Tests of link loops, links and odd objects
 
 
 @pytest.mark.parametrize("length", first_everywhere([1, 3, 7]))
@@ -181,7 +181,7 @@ def test_job_without_tools_and_stock_is_analyzed(small):
     assert rows(small.job) == {} and vkworkbench.mark(vkworkbench.analyze(small.job)) == 0
 
 
-# Odd paths, placements, tools and stocks.
+# Tests of odd paths, placements, tools and stocks.
 
 ODD = [float("nan"), float("inf"), -float("inf"), 1e300, -1e300, 1e-300]
 PATHS = {
@@ -282,7 +282,7 @@ def test_operation_with_an_odd_stock_is_recognised(small, zigzag_commands, make)
     assert rows(small.document)["Zigzag"].strategy == "zigzag"
 
 
-# Odd labels and descriptions.
+# Tests of odd labels and descriptions.
 
 TEXTS = ["<script>alert(1)</script>", "\x01\x02\x1b[31m", "\u202eabc\u2066def\u2069", "x" * 10_000, "a\0b", "{}{0}%n",
          "⟦⟧", "⟦1 operation⟧⟦zigzag⟧", "\u0085\u2028\u2029", "\u202e\u2066\u2067", "=HYPERLINK(1)", " \t\n ", "ﷺ" * 200, "Ｚｉｇｚａｇ"]  # fmt: skip
@@ -324,7 +324,7 @@ def test_operations_with_equal_labels_have_separate_marks(small, zigzag_commands
         group.RemBool("DuplicateLabels")
 
 
-# Damaged marks in the tree.
+# Tests of damaged marks in the tree.
 
 DAMAGES = [
     "", "null", "[]", "{}", '"x"', "1e999", "[" * 5000, '{"format": 99}', '{"text": [], "own": {}, "shown": 5}',

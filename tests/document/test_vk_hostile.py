@@ -319,7 +319,7 @@ def test_work_for_a_thousand_operations_is_linear(small, zigzag_commands):
     few = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
     operations += add_many(small, 900, zigzag_commands)
     many = [steps(lambda what=what: find(what)) for what in (operations, document, small.job)]
-    assert max(b / a for a, b in zip(few, many)) < 12  # ten times the operations: 10 if linear, 100 if quadratic
+    assert max(b / a for a, b in zip(few, many)) < 12  # 10 if the work is linear in operations, 100 if quadratic
     assert [len(find(what)) for what in (operations, document, small.job)] == [1000] * 3
     report = vkworkbench.analyze(document)
     assert len(report.operations) == 1000 and report.totals[0].operations == 1000

@@ -87,7 +87,7 @@ def test_operations_in_nested_compounds_are_found_in_order(old, zigzag_commands)
     assert [row.label for row in vkworkbench.analyze(inner).operations] == ["Three"]
 
 
-def test_base_of_a_dress_up_in_a_compound_is_not_counted(old, zigzag_commands):
+def test_base_of_a_dress_up_in_a_compound_is_not_in_the_total(old, zigzag_commands):
     dressup = old.add("Dress-up", zigzag_commands, job=False)
     dressup.addProperty("App::PropertyLink", "Base", "Path").Base = old.operations[0]
     old.compound.Group = [*old.operations, dressup]

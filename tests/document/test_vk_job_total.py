@@ -53,7 +53,7 @@ def test_total_is_the_cost_of_simulating_the_job(example):
     assert total.memory_bytes == pytest.approx(true.peak.bytes(), rel=0.1)
 
 
-def test_equal_cuts_of_two_operations_are_counted_once(twice):
+def test_equal_cuts_of_two_operations_add_their_cost_once(twice):
     report = vkworkbench.analyze(twice.document)
     (total,) = report.totals
     first, second, third = (o.estimate for o in report.operations)
@@ -98,7 +98,7 @@ def test_marking_does_not_estimate_costs(twice, monkeypatch):
     assert len(asked) == 2 and marks.read(twice.job).cost(ZBUFFER.name)[0] < 3 * report.operations[0].estimate.seconds
 
 
-def test_total_is_kept_in_the_file_or_replaced_by_a_sum(twice, tmp_path):
+def test_total_is_stored_in_the_file_or_replaced_by_a_sum(twice, tmp_path):
     report = vkworkbench.analyze(twice.document)
     vkworkbench.mark(report)
     total = report.totals[0].cost(ZBUFFER.name)
@@ -118,7 +118,7 @@ def test_total_is_kept_in_the_file_or_replaced_by_a_sum(twice, tmp_path):
         FreeCAD.closeDocument(again.Name)
 
 
-def test_total_is_not_read_after_an_operation_is_removed(twice):
+def test_total_of_a_job_is_invalid_if_an_operation_is_removed(twice):
     vkworkbench.mark(vkworkbench.analyze(twice.document))
     assert marks.read_total(twice.job) is not None
     twice.document.removeObject(twice.job.Operations.Group[0].Name)
@@ -154,7 +154,7 @@ def linked(small, zigzag_commands):
     return op, link
 
 
-def test_link_in_a_job_is_counted_as_an_operation(small, linked):
+def test_link_in_a_job_is_an_operation_of_the_total(small, linked):
     """FreeCAD also posts the path of a link in the job's group of operations."""
     op, link = linked
     report = vkworkbench.analyze(small.document)
@@ -172,7 +172,7 @@ def test_link_in_a_job_is_counted_as_an_operation(small, linked):
     assert vkworkbench.clear(small.document) == 2 and MARK not in op.PropertiesList
 
 
-def test_link_outside_the_job_is_not_counted_or_marked(small, linked):
+def test_link_outside_the_job_is_not_in_the_total_or_marked(small, linked):
     op, link = linked
     small.job.Operations.Group = [op]
     vkworkbench.mark(vkworkbench.analyze(small.document))

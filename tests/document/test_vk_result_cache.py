@@ -181,7 +181,7 @@ def test_clearing_the_cache_frees_its_space():
         assert len(known) == 0
 
 
-def test_cache_key_contains_all_parts():
+def test_cache_key_differs_for_each_different_input():
     def keys(*parts):
         return key_of("G1 X1", *parts)
 

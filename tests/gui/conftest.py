@@ -102,7 +102,7 @@ def restored_calibration():
 
 @pytest.fixture(autouse=True)
 def nothing_known(request):
-    """Forget the results of earlier analyses, unless the test uses the kept document with the marks of an analysis."""
+    """Forget the results of earlier analyses, unless the test uses the marks in the example that stays open."""
     if not ("marked" in request.fixturenames and request.getfixturevalue("kept_document").is_marked):
         RESULTS.clear()
 
@@ -406,7 +406,7 @@ def hide_results(window):
 
 @pytest.fixture(autouse=True)
 def no_kept_document(request):
-    """Close the kept document before a test that uses the window without it."""
+    """Close the example, which stays open between tests, before a test that uses the window without the example."""
     names = set(request.fixturenames)
     if not {"opened", "marked"} & names and {"window", "example_path"} & names:
         hide_results(request.getfixturevalue("window"))

@@ -378,7 +378,7 @@ def test_condition_on_phi_for_the_strategy_is_named(view, opened, window):
     assert named["Face"] == "n = 0: zigzag"
 
 
-def test_phi_of_a_zigzag_stays_away_from_the_drawn_bound(view, opened, window):
+def test_phi_of_a_zigzag_is_a_quarter_turn_inside_its_limits(view, opened, window):
     select(labelled(opened, "Pocket zigzag"))
     window.wait(lambda: view.title.text().startswith("Pocket zigzag") and not view.dock._background.works)
     figure = view.canvas.figure

@@ -24,7 +24,7 @@ def tab(desk, window):
     return desk.shared(desk.small)
 
 
-# Changes of the view
+# Tests that change the view
 
 
 def test_turning_and_playing_do_not_simulate_again(tab, window, monkeypatch, tmp_path):
@@ -81,7 +81,7 @@ def test_removal_rates_are_not_saved_before_they_are_known(desk, window):
     assert rates.isEnabled() and tab.player.volumes.sum() > 0
 
 
-# Changes of the document
+# Tests that change the document
 
 
 def cut_off(document):

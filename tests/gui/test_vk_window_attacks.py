@@ -35,7 +35,7 @@ def drawn(document):
     return strategy_view.is_shown(document) and not strategy_view.is_drawing()
 
 
-# Changes of the scene in the 3D view, while strategies are drawn or afterwards
+# Tests that change the scene of the 3D view while strategies are drawn or afterwards
 
 
 def others_empty_the_groups(document, window):
@@ -337,7 +337,7 @@ def test_labels_are_not_html_in_the_simulation(html, window, small, trap):
     assert found == [] and not trap.sprung()
 
 
-# Files with few commands that cause very many moves
+# Tests of files with few commands that cause very many moves
 
 
 def arcs(moves):

@@ -186,7 +186,7 @@ def find(what) -> list[Operation]:
 
 
 def _once(operations: Iterable[Operation]) -> dict[tuple[str, str], Operation]:
-    """Return the first operation of each object, by the names of document and object."""
+    """Return the first `Operation` for each object with a toolpath, by the names of document and object."""
     found: dict[tuple[str, str], Operation] = {}
     for operation in operations:
         found.setdefault(names_of(operation.object), operation)

@@ -196,7 +196,7 @@ class GaussFigure:
     def limits(self) -> tuple[float, float]:
         """Lower and upper limit of phi, rad: one turn below and above 0, for rows below and above the middle of phi.
 
-        The first move of a zigzag can have any direction, so the middle of its phi differs from 0.
+        The first move of a zigzag can have any direction, so the middle of the zigzag's phi differs from 0.
         """
         rows = self._strategy.family is Family.ROWS
         middle = float(self.phi.min() + self.phi.max()) / 2 if rows else 0.0

@@ -50,7 +50,7 @@ class ResultsDock(QDockWidget):
         super().__init__(translate("Vk_Results", "Toolpath Results"), parent)
         self.setObjectName(docks.RESULTS)
         self._findings: list[findings.Finding] = []
-        self._following = False  # whether the program, not the user, is changing the rows and their selection
+        self._following = False  # whether this class, not the user, changes the rows and selection
         self._opened: set[str] = set()  # targets of the links in the details that the user has opened, such as "Why?"
         self._stale = single_shot(self.refresh, self)
         self._selected = single_shot(self._follow, self)
@@ -281,7 +281,7 @@ class ResultsDock(QDockWidget):
         self.details.setHtml(unbroken(text))
 
     def _together(self, rows: list[Row]) -> list[Row]:
-        """Return one total for each job to which the rows belong. The label says that it covers only the selection."""
+        """Return one total of the selected rows for each job to which rows belong; the total's label says so."""
         names = {row.name for row in rows if not row.is_total}
         chosen = [finding for finding in self._findings if finding.operation.object.Name in names]
         text = translate("Vk_Results", "Selection in {job}")

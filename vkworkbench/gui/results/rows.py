@@ -116,7 +116,7 @@ def _operation(finding: Finding, chosen: Preferences) -> Row:
 
 def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     counted = [finding for finding in findings if finding.operation.counted]
-    # Advice on the settings of simulators needs full reports, because marks do not store all numbers.
+    # Advice on the settings of simulators needs full reports, because marks in the tree do not store all numbers.
     budget = None if any(finding.report is None for finding in counted) else chosen.budget
     numbers = [finding.report or finding.mark for finding in counted]
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))

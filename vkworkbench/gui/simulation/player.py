@@ -326,7 +326,7 @@ class Player(QWidget):
         text += "   " + (removed if volume else translate("Vk_Simulate", "Nothing removed"))
         return text if self._asked is None else f"{text}   {self.measuring.depth(self._asked.place)}"
 
-    # Requests of the user
+    # The following methods respond to requests of the user.
 
     def look(self, name: str | None) -> None:
         """Show the part from a standard direction of FreeCAD; if `name` is None, as in the 3D view."""

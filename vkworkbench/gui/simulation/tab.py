@@ -150,7 +150,7 @@ class SimulationTab(KeyedWidget):
         if self.player is not None:
             self.player.end()
 
-    # Changes of the document
+    # The following methods respond to changes of the document.
 
     def slotChangedObject(self, obj, name: str) -> None:
         if name in _ON_OPERATION | _ON_SETTING and obj.Document.Name == self.copy.document:

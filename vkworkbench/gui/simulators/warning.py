@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A warning line over the 3D view, shown if a simulator of FreeCAD that the user opens would hang or take too long.
 
-The line does not block the window, and offers a faster way. The warning uses only marks that are not outdated.
+The line does not block the window, and offers a faster way. The warning uses only marks in the tree that are
+not outdated.
 """
 
 from __future__ import annotations

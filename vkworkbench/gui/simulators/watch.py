@@ -47,7 +47,7 @@ def watch() -> None:
 
 
 def _opened(panel: QWidget) -> None:
-    """Show the warning for a simulator's panel, if warnings are switched on and the document has marks."""
+    """Show the warning for a simulator's panel, if warnings are on and the document has marks in the tree."""
     if preferences.read().warn_of_simulators and any(map(may_have_mark, FreeCAD.ActiveDocument.Objects)):
         from vkworkbench.gui.simulators import warning as simulator_warning
 

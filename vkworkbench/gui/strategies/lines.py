@@ -84,7 +84,7 @@ def _approach(commands: list, toolpath: Toolpath, tolerance: float) -> np.ndarra
 def colored(toolpath: Toolpath, spans) -> np.ndarray:
     """Return the colour of each trajectory: the index of its strategy, -1 for a rapid, (n,) int64.
 
-    A cutting move outside all `spans` has the colour of an unknown strategy.
+    A cutting move outside all `spans` (parts of the toolpath with one strategy) has the colour of an unknown strategy.
     """
     color = np.full(len(toolpath), _STRATEGIES.index(Strategy.UNKNOWN))
     for span in spans:

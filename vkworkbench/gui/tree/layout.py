@@ -54,7 +54,7 @@ class Piece:
 
 
 class Layout:
-    """One way to show a mark.
+    """One way to show a mark in the tree.
 
     Attributes
     ----------
