@@ -283,7 +283,7 @@ def observe(changed: Callable[[str], None]) -> None:
 
     group, observer = FreeCAD.ParamGet(GROUP), Observer()
     group.Attach(observer)
-    _observers.append((group, observer))  # references that keep both objects alive, because FreeCAD keeps none
+    _observers.append((group, observer))  # keeps the group and the observer alive, because FreeCAD does not
 
 
 _observers: list = []
@@ -306,6 +306,6 @@ def is_possible(name: str, value) -> bool:
 
 def _possible(value, limits) -> bool:
     if "choices" in limits:
-        # A value stored by a FreeCAD version with other simulators is not valid here.
+        # The stored name of a simulator that this FreeCAD version lacks is not valid.
         return value in limits["choices"]()
     return not limits or limits["least"] <= value <= limits["most"]

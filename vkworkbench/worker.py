@@ -24,7 +24,7 @@ import numpy as np
 _ISOLATED = ["-I", "-S"]
 _START = "import sys; sys.path += sys.argv[1:]; from vkworkbench.worker import serve; serve()"
 _FOLDERS = [str(Path(__file__).resolve().parents[1]), str(Path(np.__file__).resolve().parents[1])]
-_PR_SET_PDEATHSIG = 1  # The constant from Linux's prctl.h.
+_PR_SET_PDEATHSIG = 1  # Linux's option for the signal that a process gets when its parent ends (prctl.h).
 # Number of rows of a matrix that is large enough for OpenBLAS to reserve its memory when the matrix is multiplied.
 _OF_BLAS = 128
 # Flag for new processes, without which Windows opens a console window for each process.
@@ -103,7 +103,7 @@ class Worker:
 
     def kill(self) -> None:
         """Kill the worker process. A waiting `__call__` then raises `WorkerDied`. Any thread may call this method."""
-        with suppress(ProcessLookupError):  # raised by Python before 3.9 if the process has just ended
+        with suppress(ProcessLookupError):  # Python before 3.9 raises this error if the process has just ended
             self._process.kill()
 
     def end(self) -> None:

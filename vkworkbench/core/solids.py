@@ -109,7 +109,7 @@ class Stock(Convex):
     Raises
     ------
     Unusable
-        If a coordinate is not finite or beyond a kilometre, or the box has no volume.
+        If a coordinate is not finite, or is larger than a kilometre, or the box has no volume.
     ValueError, TypeError
         If a corner is not three numbers.
     """

@@ -19,7 +19,7 @@ from vkworkbench.language import Message, Unusable
 # Grid to which corners of a mesh are rounded before equal corners are merged, mm.
 _SAME = 1e-6
 _AROUND = 64
-# Number of different y coordinates of rays for each strip into which the rays are divided.
+# Number of different y coordinates of rays for each strip into which `_crossings` divides the rays.
 _ROWS = 256
 
 
@@ -43,7 +43,8 @@ class Cylinder(Convex):
     Raises
     ------
     Unusable
-        If a number is not finite, or the cylinder reaches beyond a kilometre or has no volume.
+        If a number is not finite, a coordinate of the cylinder is larger than a kilometre, or the cylinder has no
+        volume.
     ValueError, TypeError
         If `base` is not three numbers, or a length is not a number.
     """
@@ -108,7 +109,7 @@ class Mesh:
     Raises
     ------
     Unusable
-        If a coordinate is beyond a kilometre, the triangles do not close, or every triangle is a line or a point.
+        If a coordinate is larger than a kilometre, the triangles do not close, or every triangle is a line or a point.
     ValueError, TypeError
         If `triangles` is not an array of triples of points.
     """
@@ -116,7 +117,7 @@ class Mesh:
     def __init__(self, triangles: np.ndarray) -> None:
         takes = "an array of (t, 3, 3) numbers, the coordinates of corners in mm"
         points = np.array(numbers("triangles", triangles, takes, lambda array: array.size % 9 == 0)).reshape(-1, 3)
-        # NaN is also refused, because comparisons with NaN are false.
+        # Coordinates that are NaN are also refused, because comparisons with NaN are false.
         if not (np.abs(points) <= COORDINATE_LIMIT).all():
             raise Unusable(Message("stock-not-finite"))
         first, corner = _distinct(np.rint(points / _SAME).astype(np.int64))
@@ -202,8 +203,8 @@ class _SeenMesh:
     def _crossings(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return rays and the depths at which they cross triangles, unordered.
 
-        Rays with many different y coordinates are divided into strips along y, because most triangles overlap only a
-        few strips.
+        Rays with many different y coordinates are divided, by their x coordinates, into strips, because most triangles
+        overlap only a few strips.
         """
         strips = 1 + len(np.unique(y)) // _ROWS
         if strips == 1:
@@ -229,7 +230,7 @@ class _SeenMesh:
         row_of_ray = np.repeat(np.arange(len(rows)), np.diff(first, append=len(y)))
         left, right = x.min(), x.max()
         met = (self.low[1] <= rows[-1]) & (self.high[1] > rows[0])
-        # _SAME is added, because the x of crossings are rounded.
+        # The range of the rays' x is extended by _SAME, because the x coordinates of crossings are rounded.
         met &= (self.low[0] <= right + _SAME) & (self.high[0] >= left - _SAME)
         met = np.flatnonzero(met)
 

@@ -88,7 +88,7 @@ class View:
     def frame(self, stock: Bounded) -> Frame:
         """Return the view fitted to a stock: the image's axes, centre and pixel."""
         direction = np.array(self.direction)
-        # Scale the largest component to at most 1, so that the squares in `norm` do not overflow.
+        # Scale the direction's largest component to at most 1, so that the squares in `norm` do not overflow.
         direction = np.ldexp(direction, -np.frexp(np.abs(direction).max())[1])
         direction /= np.linalg.norm(direction)
         sine = np.hypot(direction[0], direction[1])

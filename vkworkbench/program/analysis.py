@@ -185,8 +185,7 @@ def divide_program(program: Program, tolerance: float) -> Divided:
     inches = not program.unit_told and (
         looks_like_inches(toolpath) or any(tells_inches(text) for _, _, text in program.comments)
     )
-    # Read the tools' sizes again, because comments without a unit are in inches, and comments with a unit are in this
-    # unit.
+    # Read the tools' sizes in the comments again, because sizes without a unit are in inches, unlike sizes with a unit.
     if inches:
         sections = tuple(map(_scaled_to_millimetres, split_sections(replace(program, inches=True))))
     bounds = np.searchsorted(toolpath.command, [section.first for section in sections[1:]])
@@ -296,7 +295,7 @@ def _rotary(lines: tuple[int, ...], section: Section) -> Message | None:
 
 
 def _machining(part: Toolpath, problems: Iterable[Problem], machine: Machine | None) -> Machining:
-    """Return lengths and times.
+    """Return the lengths and times of machining one operation.
 
     Without a machine, the time of rapids is unknown, because NC programs do not contain the speed of rapids.
     """

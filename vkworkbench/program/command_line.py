@@ -27,7 +27,7 @@ from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # Exit statuses of the command.
 _CONNECT = 30  # Time limit for connecting to a Dask scheduler, s.
-_AHEAD = 4  # Number of files that are submitted in advance for each process.
+_AHEAD = 4  # Number of files that are submitted to the executor at the same time, for each process.
 _STANDARD_OUTPUT = "-"
 # Names of files that only this process can open, such as the shell's <(...). Names such as <(...) are refused, because
 # programs are read in other processes.
@@ -136,8 +136,8 @@ def _run(asked: argparse.Namespace) -> int:
     if asked.simulate:
         with _writing(asked.stl or asked.png or _STANDARD_OUTPUT):
             return _UNREAD if simulate_programs(paths, asked) else 0
-    # The executor is created before the results are opened. If the executor cannot be created, existing results are not
-    # lost.
+    # The executor is created before the file of results is opened. If the executor cannot be created, existing results
+    # are not lost.
     with _executor(asked, len(paths)) as (executor, ahead):
         return _work(asked, paths, executor, ahead, chosen)
 

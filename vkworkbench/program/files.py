@@ -21,7 +21,7 @@ _SUFFIXES = frozenset([
     ".nc", ".ngc", ".gcode", ".gc", ".g", ".tap", ".cnc", ".ncc", ".ncf", ".iso",
     ".eia", ".din", ".min", ".mpf", ".spf", ".prg", ".fnc", ".nc1", ".ptp", ".mcd",
 ])  # fmt: skip
-_HEAD, _FEWEST_WORDS = 100_000, 3  # Number of examined bytes, and minimum number of lines with words.
+_HEAD, _FEWEST_WORDS = 100_000, 3  # Number of bytes examined in a file, and minimum number of lines of G-code words.
 # Definitions of tools and formats in files of circuit boards: drill files (Excellon) and drawings (Gerber). The lines
 # of drill files and drawings look like words of an NC program.
 _OF_CIRCUIT_BOARDS = re.compile(r"T\d+(?:[FSBHZ]\d*)*C[\d.]|%(?:FS|MO|AD)")

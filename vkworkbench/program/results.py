@@ -17,7 +17,7 @@ from vkworkbench.report import OperationReport, cells_of
 
 _LOCKED = (
     2**60
-)  # position of the byte that is locked on Windows; it is beyond the end of the file, so that others can read the file
+)  # position of the byte that Windows locks; it is beyond the end of the file, so that other programs can read the file
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 
 
@@ -55,7 +55,7 @@ def _lock(file: io.FileIO | BinaryIO) -> None:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except (BlockingIOError, PermissionError):
         raise BlockingIOError(errno.EAGAIN, "another command is writing it") from None
-    except OSError:  # the file system has no locks
+    except OSError:  # the file system does not support locks
         pass
 
 
@@ -68,9 +68,9 @@ class JsonLines:
         return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the program to which a line belongs, and whether the program was read.
+        """Return the program whose results are in a line, and whether the program was read.
 
-        A line in another form raises ValueError, LookupError or TypeError.
+        A line without the form of a result raises ValueError, LookupError or TypeError.
         """
         row = json.loads(_text(line))
         return row["document"], row["counted"]
@@ -89,12 +89,12 @@ class Csv:
         return self._written(cells[name] for name in self._names)
 
     def document(self, line: bytes) -> tuple[str, bool]:
-        """Return the program to which a line belongs, and whether the program was read.
+        """Return the program whose results are in a line, and whether the program was read.
 
         Raises
         ------
         ValueError
-            If the line has another number of cells.
+            If the number of cells in the line differs from the number of columns.
         """
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):

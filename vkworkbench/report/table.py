@@ -14,7 +14,7 @@ from vkworkbench.report.operation import OperationReport, contradiction
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 from vkworkbench.report.total import Total, compare_setups, compare_with_sum, counted_in
 
-_VERDICT = 1000  # maximum length of a verdict printed below the table, characters
+_VERDICT = 1000  # maximum length of a simulation's verdict printed below the table, characters
 
 
 def table_of(operations: Sequence[OperationReport], totals: Sequence[Total], simulator: str) -> str:

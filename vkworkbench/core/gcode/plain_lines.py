@@ -74,7 +74,7 @@ _LETTER_CODES = np.zeros(256)
 _LETTER_CODES[np.frombuffer(_LETTERS.encode(), np.uint8)] = 1 + np.arange(len(_LETTERS))
 _POWERS = 10.0 ** np.arange(_MOST_DIGITS + 1)
 _AXES = sum(_BITS[letter] for letter in "XYZIJKR")
-_FEED_ALONE = 5  # index in `_NAMES`; 0 is the empty name of a modal move, 1 to 4 are G0 to G3
+_FEED_ALONE = 5  # index of a feed rate's command in `_NAMES`; 0 is the empty name of a modal move, 1 to 4 are G0 to G3
 _NAMES = ("", *map(codes.name_of, _MOTIONS), codes.name_of(codes.PER_MINUTE))
 
 

@@ -365,7 +365,8 @@ class _Reader:
                 return
 
     def program(self) -> Program:
-        # If conditions were followed, a subprogram without a call is not an error, because its call can be skipped.
+        # If the program's conditions were followed, an uncalled subprogram is not an error: a condition can skip its
+        # call.
         passed = self.passed if not self.flow.followed else [] if self.machine.moves else sorted(self.flow.passed)
         for index in passed:
             if index not in self.ran:

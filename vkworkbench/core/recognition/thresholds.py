@@ -21,8 +21,8 @@ class ROUNDING:
     #: a higher value, all rows are on one line, and zigzags are recognised as engravings. With the value 0, some
     #: zigzags with rounded rows are also recognised as engravings.
     PLACE = 0.02
-    #: mm. Largest difference between the bounding boxes of two equal rings, on every side. With a higher value, all
-    #: offsets are equal rings, and pockets are recognised as profiles.
+    #: mm. Largest difference between the bounding boxes of two equal rings (repetitions of one ring), on every side.
+    #: With a higher value, all offsets are equal rings, and pockets are recognised as profiles.
     RING = 0.05
     #: share of the ring's size. Additional difference between the bounding boxes of equal rings, allowed for large
     #: rings. With the value 1, all offsets are equal rings.

@@ -300,8 +300,8 @@ def _listed(marks: list[_Mark], cuts: np.ndarray) -> set[tuple[int, str]]:
     Each returned pair is the number of cuts before the comment, and the comment's text.
 
     A comment lists a later tool if its text is repeated at the change to another tool. A single repeated comment is not
-    a list, because one description can fit several tools. A list between two cuts must contain comments on at least two
-    other tools.
+    a list, because one description can fit several tools. Comments between two cuts are a list only if they describe at
+    least two other tools.
     """
     placed = [(bisect_left(cuts, mark.at), mark.what) for mark in marks]
     tools = {place: what for place, what in placed if isinstance(what, (int, float))}

@@ -21,7 +21,7 @@ Shape = Callable[[Machine, Line, Dict[str, float]], None]
 
 def _dwell(machine: Machine, line: Line) -> None:
     line.feeds = not line.letters.isdisjoint("PXU")  # On Siemens controls, F in G4 F2 is the time.
-    line.apart |= "P" not in line.letters  # In a line with a P word, the axis words are the target of a move.
+    line.apart |= "P" not in line.letters  # If a dwell's line has a P word, its axis words are a move's target.
     seconds = dwell_of(dict(line.words))
     if seconds is None:
         machine.problem(Message("dwell-untimed"))

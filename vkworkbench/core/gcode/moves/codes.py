@@ -30,7 +30,7 @@ XY_PLANE = 170
 PLANES = {XY_PLANE: 17, 180: 18, 190: 19}
 DRILLED = {XY_PLANE: "Z", 180: "Y", 190: "X"}  # the drilling axis of canned cycles, by plane
 ABSOLUTE, RELATIVE, ABSOLUTE_CENTRES, RELATIVE_CENTRES = 900, 910, 901, 911
-TO_START, TO_RETRACT_PLANE = 980, 990  # Height after a canned cycle.
+TO_START, TO_RETRACT_PLANE = 980, 990  # codes for the height after a canned cycle: the start height, or the R plane
 # G98 of Fanuc controls, under which FEED_OUT cycles retract at the feed rate to R, and at rapid to the start height.
 # Only this package uses the number 981.
 RAPID_TO_START = 981

@@ -69,7 +69,7 @@ def linearize(commands: Iterable[Any] | Words, *, tolerance: float = 0.01, infer
     points, rapid, command, sweep, is_cycle = _moves(program, tolerance)
 
     moved = _moved(points)
-    while not moved.all():  # without a short move, the next move begins at another point, and can be short, too
+    while not moved.all():  # removing a short move changes the start of the next move, which can then be short, too
         points = points[np.concatenate([[True], moved])]
         rapid, command, sweep, is_cycle = rapid[moved], command[moved], sweep[moved], is_cycle[moved]
         moved = _moved(points)

@@ -33,8 +33,8 @@ def footprints(pieces: Pieces, index: np.ndarray) -> tuple[np.ndarray, int]:
     groups : int
         Number of different footprints.
     """
-    # The box and a quarter of the length are rounded to one grid. A quarter of a square's perimeter is as long as the
-    # square's side, so the rounding suits both.
+    # The sides of a piece's box, and a quarter of its length, are rounded to the same grid. A quarter of a square's
+    # perimeter is as long as the square's side, so the rounding suits both.
     measures = np.column_stack([pieces.box[index], pieces.length[index] / 4])
     key = np.floor(measures / ROUNDING.GROUND + OFF_ROUND).astype(np.int64)
     key = (key * _PRIMES).sum(axis=1)

@@ -109,7 +109,7 @@ def _sampled(moves: Areas, pieces: Pieces, index: np.ndarray) -> tuple[np.ndarra
 
 
 def _percentiles(values: np.ndarray, of: np.ndarray, percent: tuple[float, ...]) -> np.ndarray:
-    """Return percentiles, (p, n), in each row of the array of values (n, k); `of` (n, k) selects the values that count.
+    """Return percentiles, (p, n), in each row of the array of values (n, k); `of` (n, k) selects the values to use.
 
     At least one value in each row is selected. numpy's `nanpercentile` processes the rows of an array one by one. This
     function is faster, because it processes all rows with the same number of selected values at once.

@@ -202,8 +202,8 @@ def _steps_in_nests(inward: Inward) -> tuple[np.ndarray, bool]:
         true = even & ((inward.drop(lag) < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         chained = bool(chain.any())
         if chained:
-            # The next offset is always `lag` rings later. Ignore the distances to a lead-in or to a wall, which are not
-            # the stepover.
+            # In a chain of three rings at equal distances, the next offset is `lag` rings later. Ignore the distances
+            # to a lead-in or to a wall, which are not the stepover.
             of_chain = np.zeros(len(step), bool)
             of_chain[lag:] = chain
             of_chain[:-lag] |= chain

@@ -181,7 +181,7 @@ class _Stretches:
         self.x, self.y = moves.x[start], moves.y[start]
         self.end_x, self.end_y = moves.x[last] + moves.dx[last], moves.y[last] + moves.dy[last]
         gap_x, gap_y = self.end_x - self.x, self.end_y - self.y
-        self.gap = np.sqrt(gap_x * gap_x + gap_y * gap_y)  # many times faster than np.hypot
+        self.gap = np.sqrt(gap_x * gap_x + gap_y * gap_y)  # the square root is many times faster than np.hypot
         twice_area = np.add.reduceat(moves.twice_swept, start)
         self.enclosed = (twice_area + self.end_x * self.y - self.end_y * self.x) / 2
 
@@ -292,7 +292,7 @@ def half_turns(moves: Areas, parts: _Stretches, able: np.ndarray) -> HalfTurns:
         return HalfTurns(np.zeros(k), np.zeros(k), np.ones(k, np.int64), np.zeros(k))
     size = (parts.end - parts.start)[stretch]
     of, dx, dy, length = np.repeat(stretch, size), moves.dx, moves.dy, moves.length
-    chosen = None  # None stands for all moves
+    chosen = None  # None selects all moves of all stretches
     if len(stretch) < k:
         chosen = np.flatnonzero(np.repeat(able, parts.end - parts.start))
         dx, dy, length = dx[chosen], dy[chosen], length[chosen]

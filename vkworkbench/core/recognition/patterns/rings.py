@@ -118,8 +118,9 @@ def relate_rings(pieces: Pieces, index: np.ndarray, tool: float) -> Rings:
     if distinct * depths < WATERLINES.DEPTHS * k:
         flags["deeper"] &= ~again
     inside = np.isfinite(inner)
-    # Weight the distances between rings by enclosed area, because large loops show the stepover best. All turns of
-    # windings have the same weight, because their areas are approximate.
+    # In the median distance between rings, weight each distance by the ring's enclosed area, because large loops show
+    # the stepover best. For a turn of a winding, use the mean area of all rings, because the turn's own area is
+    # approximate.
     weight = np.where(shapes.slack > 1, shapes.enclosed.mean(), shapes.enclosed)[inside] if k else shapes.enclosed
     related = flags["nested"] | flags["deeper"] | flags["repeated"] | flags["moved"] | flags["crossing"]
     return Rings(
@@ -179,8 +180,8 @@ def _compare_rings(inward: Inward, limit: float) -> _Compared:
         if lag == 1 and shapes.turn.any():
             turns = step[nested & shapes.turn[one] & shapes.turn[two]]
         shifts.append(mean[nested])
-        # The minimum excludes the distance to the ring after next, which is twice the stepover. Update the two slices
-        # of `inner` one after the other, because the slices overlap.
+        # Keep each ring's smallest distance, because the distance to the ring after next is twice the stepover. Update
+        # the two slices of `inner` one after the other, because the slices overlap.
         np.minimum(inner[one], np.where(nested & (mean > 0), step, np.inf), out=inner[one])
         np.minimum(inner[two], np.where(nested & (mean < 0), step, np.inf), out=inner[two])
         if flags["nested"].all():
@@ -273,7 +274,10 @@ class Pairs:
 
     @cached_property
     def alike(self) -> np.ndarray:
-        """Whether all four sides of the second ring's box are shifted by one distance, rare in a lattice, (p,) bool."""
+        """Whether all four sides of the second ring's box are shifted by one distance, (p,) bool.
+
+        Such a shift is rare in a lattice (rows that bounce from wall to wall).
+        """
         low, high, mean, _ = self.shift
         alike: np.ndarray = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
         return alike
@@ -348,7 +352,10 @@ RELATIONS: dict[str, Callable[[Pairs], np.ndarray]] = {
 
 
 def _equal(steps: np.ndarray) -> bool:
-    """Return whether the first and most of the distances between turns (s,), at least two, equal the median."""
+    """Return whether the first distance between turns, and most of the distances (s,), equal the median.
+
+    Return False for fewer than two distances.
+    """
     if len(steps) < 2:
         return False
     equal = np.abs(steps / middle(steps) - 1) < WINDINGS.EQUAL

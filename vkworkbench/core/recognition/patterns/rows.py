@@ -435,7 +435,7 @@ def _cross(one: Rows, other: Rows) -> bool:
     """Return whether most passes of one family cross a pass of the other family between the ends of both passes."""
     turned = other.axis - one.axis
     c, s = np.cos(turned), np.sin(turned)
-    # Positions along each pass of one family, and along each pass of the other family, at which their lines meet.
+    # For each pair of passes, one from each family: the positions along both passes at which the passes' lines cross.
     here = (one.lies[:, 0, None] * c - other.lies[:, 0]) / s
     there = (one.lies[:, 0, None] - other.lies[:, 0] * c) / s
     inside = [
@@ -448,7 +448,7 @@ def _cross(one: Rows, other: Rows) -> bool:
 
 def _fills(family: Rows, tool: float) -> bool:
     """Return whether passes are rows: long passes with short steps between neighbours (paper, section 2.1)."""
-    # In the teeth of a comb that are two rows wide, the rows are short, but there are many rows with even distances.
+    # In a comb-shaped area with teeth two rows wide, the rows are short, but there are many rows at even distances.
     longer = ROWS.MIN_LENGTH_IF_MANY if family.lines >= ROWS.MANY and family.even > ROWS.EVEN else ROWS.MIN_LENGTH
     if family.opposite + family.same <= ROWS.WITH_NEIGHBOUR * family.once or family.typical <= longer * family.step:
         return False
@@ -462,7 +462,7 @@ def _fills(family: Rows, tool: float) -> bool:
 
 
 def _walls(family: Rows) -> bool:
-    """Return whether the passes of a closed contour are the walls of a comb's teeth, and not rows.
+    """Return whether the passes along a closed contour are the sides of a comb-shaped part's teeth, and not rows.
 
     Teeth and the gaps between teeth have different widths, so that the period of the lines is longer than the distance
     between neighbouring lines.

@@ -31,7 +31,7 @@ from vkworkbench.core.recognition.thresholds import (
     WINDINGS,
 )
 
-_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # makes the outermost side of several boxes the lowest number
+_LOW = np.array([1.0, 1.0, -1.0, -1.0])  # factors of a box's sides; the minimum over several boxes is the outer side
 
 
 class Corrections(NamedTuple):
@@ -225,7 +225,7 @@ class Section:
         return float(self.strokes.length[strokes].sum()) / self.length
 
     def cornered(self) -> float:
-        """Return which share of the turning of windings is in corners.
+        """Return the share of the windings' total turning angle that is in corners.
 
         A spiral turns continually. Polygons that step to the next polygon in a corner also wind in one sense, but turn
         only in corners.
@@ -258,7 +258,7 @@ class Section:
         depth = number_depths(pieces.z[level])
         around, last = np.full((int(depth.max()) + 1, 4), np.inf), np.zeros(int(depth.max()) + 1, np.int64)
         np.minimum.at(around, depth, pieces.box[level] * _LOW)
-        last[depth] = level  # if several pieces have one depth, numpy assigns the last piece
+        last[depth] = level  # the last piece cut at each depth, because numpy keeps the last of several assignments
         large = pieces.box[last, 2:] - pieces.box[last, :2] > -MAJORITY.SHARE * (around[:, :2] + around[:, 2:])
         ends = (pieces.kind[last] == LOOP) & large.all(axis=1) & (np.bincount(depth) > 2)
         return bool(pieces.length[level][ends[depth]].sum() > MAJORITY.SHARE * pieces.length[level].sum())
@@ -298,7 +298,7 @@ class Section:
         return of_rows, float(self.rings.length[amid].sum() / self.rings.length.sum())
 
     def _beside(self, strokes: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-        """Yield the rings that are cut next after the given strokes, (s,) int, and then those cut last before them.
+        """Yield the first ring cut after each of the given strokes, (s,) int, and then the last ring cut before each.
 
         Rings and strokes are given by the indices of their pieces. With each of the two arrays of rings, the iterator
         yields how far the strokes lie inside the rings' bounding boxes, mm, and whether stroke and ring have the same

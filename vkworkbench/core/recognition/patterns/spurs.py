@@ -22,7 +22,7 @@ def without_spurs(moves: Areas) -> Areas:
     out = moves.reversals - 1
     if not len(out):
         return moves
-    inside = np.ones(len(moves) + 2, bool)  # False for the first move of each area and beyond the last move
+    inside = np.ones(len(moves) + 2, bool)  # whether a move of the same area precedes each move; False at the end
     inside[moves.start] = inside[len(moves) :] = False
     out = out[inside[out] & inside[out + 2]]
     back_x = moves.dx[out] + moves.dx[out + 1]
@@ -39,7 +39,7 @@ def without_spurs(moves: Areas) -> Areas:
     after = out + 2
     turn = closing_turns(moves.alpha, after, out)
     more = np.zeros(len(moves))
-    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # replaces the spur's turns
+    more[after] = turn - moves.turning[np.array([out, out + 1, after])].sum(axis=0)  # change of phi without the spur
     turning = moves.turning.copy()
     turning[after] = turn
     more = np.cumsum(more)

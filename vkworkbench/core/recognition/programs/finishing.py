@@ -15,7 +15,10 @@ from vkworkbench.core.toolpath import Toolpath
 
 
 class CutSection(NamedTuple):
-    """A part of a program between two borders: its first trajectory, the trajectory after it, and its strategy."""
+    """A section of a program between two borders (possible starts of operations).
+
+    The fields are the section's first trajectory, the trajectory after the section, and the section's strategy.
+    """
 
     begin: int
     end: int
@@ -31,7 +34,7 @@ class _Run(NamedTuple):
 
 
 def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: Collection[int]) -> set[int]:
-    """Return the uncertain borders between the clearing of an area and the contours that finish the area's walls.
+    """Return the uncertain starts of operations between the clearing of an area and the contours finishing its walls.
 
     The finishing contours go around the whole cleared area, at the same depth as the clearing. Several contours finish
     the walls if there are islands, for example.

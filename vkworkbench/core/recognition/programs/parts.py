@@ -53,7 +53,7 @@ def is_titled(toolpath: Toolpath, first: int) -> bool:
 
 
 def without_lone_plunge(toolpath: Toolpath, moves: Areas) -> Areas:
-    """Return the areas without holes if milling has few plunges, which park the tool or touch the stock."""
+    """Return the areas in which few plunges beside milling are not holes, as they park the tool or touch the stock."""
     if not len(moves) or len(moves.holes) >= PARTS.HOLES:
         return moves
     return replace(moves, holes=moves.holes[toolpath.cycle[moves.holes]])
@@ -120,8 +120,9 @@ class Sections:
 def dividing_retracts(sections: Sections, borders: Collection[int], retracts: dict[int, float]) -> list[int]:
     """Return the retracts that separate two operations.
 
-    A retract separates operations if its probability is high. A retract with a lower probability separates operations
-    if clearly different strategies are recognised before and after the retract.
+    A retract separates operations if the probability that another operation begins after the retract is high. A retract
+    with a lower probability separates operations if clearly different strategies are recognised before and after the
+    retract.
 
     Parameters
     ----------
@@ -153,7 +154,10 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
 
 
 def _odds_of_difference(one: Recognition, other: Recognition) -> float:
-    """Return the odds that two sections of a program are different operations; 0 if one can have both strategies."""
+    """Return the odds that two sections of a program are different operations.
+
+    The odds are 0 if both strategies can occur in one operation.
+    """
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0
     # The two strategies can be one operation, because adaptive clearing of a round pocket winds like a spiral.
@@ -179,8 +183,8 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
     differs = np.array([
         _differs(one, found[main], apart, program) for one, apart in zip(found, stretch != stretch[main])
     ])  # fmt: skip
-    # In an NC program, each stretch between two certain borders is an operation. In a single FreeCAD operation, titles
-    # do not begin another operation.
+    # In an NC program, each stretch between two certain borders, such as tool changes, is an operation. In a single
+    # FreeCAD operation, titles do not begin another operation.
     operation = stretch if program else np.zeros_like(stretch)
     little = bool(share[differs].sum() < PARTS.ASIDE)
     if little and not (differs & (stretch != stretch[main]) & _is_enough(found, share, program)).any():

@@ -91,8 +91,8 @@ def find_visits(toolpath: Toolpath, moves: Areas) -> Visits | None:
     if len(moves.start) + len(moves.holes) < 2:
         return None
     low, high, add = np.minimum.reduceat, np.maximum.reduceat, np.add.reduceat
-    # A visit consists of blocks; a block is a monotonous area or a drilled hole. A hole is treated as one move without
-    # length at the bottom of the hole.
+    # A visit (the cutting between two retracts) consists of blocks; a block is a monotonous area or a drilled hole. A
+    # hole is treated as one move without length at the bottom of the hole.
     hole, none = toolpath.points[moves.holes + 1], np.zeros(len(moves.holes))
     index, begins = np.concatenate([moves.index, moves.holes]), np.ones(len(moves) + len(none), bool)
     begins[: len(moves)] = False
@@ -214,7 +214,7 @@ def _ground(visits: Visits) -> np.ndarray:
 
 
 def _shared_ground(visits: Visits, back: int) -> np.ndarray:
-    """Return the common area of the boxes of each visit and the visit cut `back` visits earlier, (k - back,) mm2."""
+    """Return the overlap of each visit's box with the box of the visit cut `back` visits earlier, (k - back,) mm2."""
     sides = (
         np.minimum(visits.high[back:], visits.high[:-back])
         - np.maximum(visits.low[back:], visits.low[:-back])

@@ -155,7 +155,7 @@ def _cross(moves: Areas, sample: Sample) -> Crossings:
     for line in lines[:wanted]:
         on = np.flatnonzero((begin < line) != (end < line))
         spare = max(0, len(on) - SCAN.ENOUGH // 2)
-        # Keep the crossings in the middle of the cutting order.
+        # If a scan line has too many crossings, keep the crossings in the middle of the cutting order.
         found.append(on[spare // 2 : len(on) - (spare + 1) // 2])
     on, line = np.concatenate(found), np.repeat(np.arange(wanted), [len(moves) for moves in found])
     step, length = end[on] - begin[on], moves.length[on]
@@ -203,7 +203,7 @@ def _neighbours(crossed: Crossings, extent: float, by_depth: bool) -> dict[str, 
     most = int(np.argmax(2 * count + around[:-2] + around[2:]))
     usual = float(np.exp(median(logarithm[np.abs(bins - most) <= 1])))
     even = beside & (np.abs(aside / usual - 1) < SCAN.EVEN)
-    number = np.count_nonzero(even)  # never 0, because some distances are close to their median
+    number = np.count_nonzero(even)  # at least 1, because some distances are close to their median
     opposite = slope[1:] * slope[:-1] < 0
     later = order[1:] - order[:-1]
     three = even[1:] & even[:-1]

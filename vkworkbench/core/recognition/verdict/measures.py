@@ -11,7 +11,7 @@ from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.thresholds import MEASURED, ROUNDING, WINDINGS
 from vkworkbench.core.recognition.verdict.crossings import Sample, measure_crossings
 
-#: Names of attributes of `Rings`.
+#: Attributes of `Rings` whose shares of the section's length are measures.
 FLAGS = ("nested", "sloped", "round", "stacked", "deeper", "alone", "moved", "opposite", "crossing")
 
 
