@@ -88,8 +88,7 @@ def test_repeated_points_add_no_turn(vectors, data):
 
 @given(vectors)
 def test_phi_equals_alpha_up_to_whole_turns(vectors):
-    """Alpha is the direction of a move, between -pi and pi."""
-    result = signature(polyline(vectors))
+    result = signature(polyline(vectors))  # Alpha is the direction of a move, between -pi and pi.
     assert same_angle(result.phi, result.alpha - result.alpha[0])
     assert np.abs(result.turning).max() <= PI + 1e-9
     assert (np.abs(result.level * TURN) <= np.abs(result.phi) + 1e-5).all()

@@ -22,7 +22,7 @@ LATER = {"pairwise", "batched", "bit_count", "hardlink_to", "TaskGroup", "StrEnu
          "root_dir", "EncodingWarning", "walk_up"}  # fmt: skip
 
 
-# Types that have no type parameters at run time.
+# Types that accept no type parameters at run time in Python 3.8.
 GENERIC = {"dict", "frozenset", "list", "set", "tuple", "type"}
 
 

@@ -81,7 +81,7 @@ def test_measures_of_rings_at_two_depths_match_hand_calculation():
     holds(found, NO_STROKES)
 
 
-def test_rings_of_even_depth_steps_are_even():
+def test_evenness_of_rings_at_equal_depth_steps_is_measured():
     """The offsets are 2, 3 and 4 mm. Their 10th and 90th percentiles are 2.2 and 3.8 mm."""
     found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
     holds(

@@ -172,7 +172,7 @@ def test_votes_for_strategies_of_one_family_are_added(other):
 
 
 @pytest.mark.parametrize(("nonsense", "said"), [(0.59, Strategy.SPIRAL), (0.61, Strategy.UNKNOWN)])
-def test_most_votes_for_nonsense_make_a_path_unknown(nonsense, said):
+def test_path_with_sixty_percent_of_nonsense_votes_is_unknown(nonsense, said):
     assert elected(votes_for(spiral=0.9, helix=0.1), Strategy.SPIRAL, nonsense)[0] is said
 
 

@@ -65,7 +65,7 @@ def test_total_computes_only_the_costs_that_are_shown(asked):
     assert advice["z-buffer"].view and asked == 3 * ["OpenGL"] + 3 * ["z-buffer"]
 
 
-def test_preflight_samples_no_rays_if_memory_bound_is_allowed(asked):
+def test_preflight_samples_no_rays_if_memory_is_in_the_budget(asked):
     whole = task()
     costs, _ = predict(whole, Conditions(version=(1, 1)))
     assert not preflight(whole, costs, Conditions(version=(1, 1)))
@@ -102,7 +102,7 @@ def test_names_of_computed_costs_are_listed():
     assert repr(costs) == "{'a': 1, 'b': 2}"
 
 
-def test_computed_cost_drops_its_function():
+def test_computed_cost_releases_the_function_that_computed_it():
     costs, _ = predict(task(), Conditions(version=(1, 1)))
     dict(costs)
     assert not costs._makers

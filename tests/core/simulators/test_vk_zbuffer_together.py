@@ -19,7 +19,7 @@ def slot(y):
     return linearize([("G0", {"X": 5, "Y": y, "Z": 20}), ("G1", {"Z": 5}), ("G1", {"X": 55})])
 
 
-def test_job_cost_uses_largest_stock_and_least_certain_time():
+def test_job_cost_has_the_largest_stock_and_largest_uncertainty():
     one, other = ZBufferCost(10.0, 300.0, 1.5, 100.0), ZBufferCost(20.0, 250.0, 2.5, 120.0)
     assert zbuffer.together([one, other]) == ZBufferCost(30.0, 120.0 + 200.0 + 130.0, 2.5, 120.0)
 

@@ -137,7 +137,8 @@ def test_slot_is_continuous_where_ray_touches_the_rim(radius, aside):
 def test_move_along_the_ray_is_cut_from_end_to_end(slot, length, tilt):
     """Rounding must not shorten the cut.
 
-    The cut begins where the ray enters the tool at one end of the move, and ends where the ray leaves it at the other.
+    The cut begins where the ray enters the tool at one end of the move, and ends where the ray leaves
+    the tool at the other end.
     """
     sine, cosine = np.sin(tilt), np.cos(tilt)
     x, y, z = np.random.default_rng(5).uniform([[-2.9], [-20], [-5]], [[2.9], [20], [25]], (3, 500))

@@ -126,7 +126,7 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
         ([(NEAR, (-5, -2)), ((-4, -1), NOWHERE), ((-4, -2.5), NOWHERE)], [0, 1]),
         ([(FAR, FAR), ((3, 4), NOWHERE), ((1, 4), NOWHERE)], [0, 2]),
         ([(FAR, (9, 8)), ((3, 4), NOWHERE)], [0, 1]),
-        # Depths removed in the middle of the rays are not kept, only depths next to an end of the rays.
+        # Removed depths are stored only next to an end of the rays, and not in the middle of the rays.
         ([(MIDDLE, MIDDLE), ((-0.5, 0.5), NOWHERE)], [0, 1]),
         ([(NEAR, NEAR), ((-1, 2), (-1, 2)), ((-1, 1.5), NOWHERE), ((1, 3), NOWHERE)], [0, 1, 3]),
         ([(FAR, FAR), ((-1, 3), (-1, 3)), ((0, 4), NOWHERE), ((-2, 3), NOWHERE)], [0, 1, 3]),
@@ -135,7 +135,7 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
         ([(NEAR, NEAR), ((-4, 0), NOWHERE), ((-4, 1e-9), NOWHERE)], [0]),
         ([(FAR, FAR), ((2, 4), NOWHERE), ((2 - 1e-9, 4), NOWHERE)], [0]),
         ([(WHOLE, WHOLE), (WHOLE, WHOLE)], [0]),
-        # Depths removed in the middle of the rays are not kept, even if later depths connect them to an end.
+        # Depths removed in the middle of the rays are not stored, even if later depths connect them to an end.
         ([(MIDDLE, MIDDLE), (NEAR, NEAR), ((0, 0.9), NOWHERE)], [0, 1, 2]),
         ([], []),
     ],
