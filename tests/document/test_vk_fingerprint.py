@@ -147,7 +147,7 @@ def test_fingerprint_of_a_path_equals_fingerprint_of_its_text(small, zigzag_comm
 
 
 def test_reopened_document_accepts_a_mark_without_stock(small, zigzag_commands):
-    """In a reopened document, marks made without a stock also match, because FreeCAD adds a stock on opening."""
+    """In a reopened document, marks without a stock stay valid, because FreeCAD adds a stock on opening."""
     op = small.add("One", zigzag_commands)
     whole, of_tool = read_setting_fingerprints(op, small.job)
     assert whole != of_tool

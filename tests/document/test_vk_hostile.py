@@ -36,7 +36,9 @@ def outdated(document):
 
 
 def analyze_mark_clear(what):
-    """Analyse, mark and clear a document; return the report. Assert that the document is unchanged afterwards."""
+    """Analyse a document, write and clear its marks in the tree; return the report.
+
+    Assert that the document is unchanged afterwards."""
     document = what.Document if hasattr(what, "Document") else what
     before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
     report = vkworkbench.analyze(what)

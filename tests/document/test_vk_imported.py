@@ -57,7 +57,7 @@ def test_operations_imported_in_inches_are_separate_spans(small, tmp_path):
 
 
 def test_imported_inches_split_profile_and_helix_at_a_retract(small, tmp_path):
-    """The two operations are separate spans, as in a program in millimetres."""
+    """The two operations are separate spans (parts with one strategy), as in a program in millimetres."""
     FreeCAD.setActiveDocument(small.name)
     commands = [*programs.profile(24, 40.0, [-1.0, -2.0, -3.0]), *programs.helix(8, 15.0, 1.0)]
     lines = [

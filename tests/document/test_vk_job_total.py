@@ -165,7 +165,7 @@ def test_link_in_a_job_is_an_operation_of_the_total(small, linked):
     vkworkbench.mark(report)
     assert small.job.Label2.startswith("⟦2 operations · ")
     assert marks.read(small.job).length == pytest.approx(2 * one.length)
-    assert link.Label2 == "" and MARK not in link.PropertiesList  # a link to a marked operation has no mark
+    assert link.Label2 == "" and MARK not in link.PropertiesList  # a link to a marked operation has no mark in the tree
     op.Active = False
     small.document.recompute()
     assert vkworkbench.analyze(small.document).totals[0].operations == 0

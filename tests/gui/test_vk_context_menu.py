@@ -18,7 +18,7 @@ OURS = {"Analyze Toolpaths", "Clear Analysis", "Toolpath Results", "Show Strateg
 
 @pytest.fixture(scope="module", params=["VkWorkbench", CAM])
 def shown_tree(request, example_path, kept_document, window):
-    """The tree of the example with imported G-code, a toolpath without a Proxy; the last test marks that toolpath."""
+    """The tree of the example with imported G-code, a toolpath without a Proxy that the last test marks."""
     kept_document.close()
     document = FreeCAD.openDocument(str(example_path))
     imported = document.addObject("Path::Feature", "Imported")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The marks of the first analysis are visible, even in a hidden, narrow or floating tree and in a small window."""
+"""The first marks in the tree are visible, even in a hidden, narrow or floating tree and in a small window."""
 
 import FreeCAD
 import FreeCADGui as Gui

@@ -119,7 +119,7 @@ FIRST = [
     "Simulation Time",
     "Warnings",
     "Notes",
-]  # the column "State" is left out, because it is shown only if a mark is outdated
+]  # without the column "State", which is shown only if a mark in the tree is outdated
 
 
 def test_panel_shows_the_total_of_a_job_above_its_operations(panel, opened, window):
@@ -846,7 +846,7 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         window.settle()
         assert {title: column(panel, title) for title in FIRST} == before
         click_row(window, panel, label)
-        # Compare the text before "Cutting Length" only, because the lengths after it are not stored in a mark.
+        # Compare the text before "Cutting Length" only, because marks store no later lengths.
         assert text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
         window.screenshot("panel-from-marks")
         assert "Rapid Length" not in text_of(panel)

@@ -274,7 +274,7 @@ def test_pill_has_the_colour_of_its_strategy(marked, window, theme):
         mark = marks.read(obj)
         image = picture(window, obj.Label)
         color = mark.strategy.color if mark.strategy else colors.TOTAL
-        # The colour of a valid mark covers more than 5 % of the cell.
+        # The colour of a valid mark covers more than 5 % of the cell in the tree.
         assert (share(image, color) > 0.05) != mark.outdated, obj.Label
         if not mark.outdated:
             assert bright(image) > 0.005, obj.Label  # the nearly white text of the pill covers a part of the cell

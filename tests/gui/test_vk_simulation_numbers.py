@@ -124,7 +124,7 @@ def test_marks_in_the_tree_show_the_latest_faults():
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr("vkworkbench.gui.simulation.faults.keep_faults", lambda faults: bool(told.append(faults)))
         known.follow(True)
-        assert not told  # no fault is passed to the marks before the part was compared with the model
+        assert not told  # no mark in the tree gets a fault before the part was compared with the model
         known.keep([gouge(0, 20.0, command=2)], PENDING)
         known.keep([crash, gouge(0, 0.3)], PENDING)
         known.follow(False)

@@ -46,7 +46,7 @@ def test_switching_documents_does_not_compare_marks_again(opened, window, monkey
         FreeCAD.setActiveDocument(opened.Name)
         window.settle()
     assert compared == []
-    # A new object could be a copy with a mark, so marks are compared again.
+    # A new object could be a copy with a mark in the tree, so marks are compared again.
     opened.addObject("App::FeaturePython", "New")
     FreeCAD.setActiveDocument(other.Name)
     FreeCAD.setActiveDocument(opened.Name)

@@ -29,7 +29,7 @@ class Upkeep(Watcher):
 
 
 _upkeep: Upkeep | None = None
-# Preferences that change the text of a mark.
+# Preferences that change the texts of marks in the tree.
 IN_MARKS = frozenset({"mark_simulator", "time_budget"})
 
 
@@ -44,7 +44,7 @@ def watch() -> None:
 
 
 def follow_preferences() -> None:
-    """Update the marks of all open documents after a change of the preferences."""
+    """Update the marks in the tree of all open documents after a change of the preferences."""
     chosen = preferences.read()
     for document in FreeCAD.listDocuments().values():
         for obj in filter(may_have_mark, document.Objects):

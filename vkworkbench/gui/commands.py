@@ -25,7 +25,7 @@ from vkworkbench.preferences import GROUP
 
 
 class AnalyzeCommand(DocumentCommand):
-    """Analyse and mark the selected operations, or all operations of the active document."""
+    """Analyse the selected operations, or all of the active document, and write marks in the tree."""
 
     name = "Vk_Analyze"
     menu = QT_TRANSLATE_NOOP("Vk_Analyze", "Analyze Toolpaths")
@@ -87,7 +87,7 @@ class AnalyzeCommand(DocumentCommand):
 
 
 class ClearCommand(DocumentCommand):
-    """Remove the marks of the selected operations, or of the whole active document."""
+    """Remove the marks in the tree of the selected operations, or of the whole active document."""
 
     name = "Vk_Clear"
     menu = QT_TRANSLATE_NOOP("Vk_Clear", "Clear Analysis")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measure this computer's speed when the user pauses after the first analysis, and update the times in the marks."""
+"""Measure this computer's speed in a pause after the first analysis, and update the times of marks in the tree."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class _Measurement:
             self._measures = False
 
     def _refresh(self, document) -> None:
-        """Analyse the operations with valid marks again, and mark them without an undo step."""
+        """Analyse the operations with valid marks in the tree again, and update the marks without an undo step."""
         valid = [o.object for o in find(document) if marks.is_marked(o.object) and not marks.is_outdated(o.object)]
         for obj in valid:
             vkworkbench.analyze(obj, cancelled=self._is_ended)  # the results are cached, so the analysis below is fast

@@ -128,7 +128,7 @@ class _OpenedDocuments:
     def slotCommitTransaction(self, document) -> None:
         if (
             "vkworkbench.document.marks.marking" in sys.modules
-        ):  # if this module was never imported, neither a command nor a macro has written marks
+        ):  # if this module was never imported, no marks in the tree were written
             from vkworkbench.gui.tree import pills
 
             pills.show()
@@ -147,7 +147,7 @@ class _OpenedDocuments:
         opened = name in self._opened
         self._opened.discard(name)
         if any(map(may_have_mark, document.Objects)):
-            # The following imports load numpy, so they are executed only for a document with marks.
+            # The following imports load numpy, so they are executed only for a document with marks in the tree.
             from vkworkbench.document import upkeep
             from vkworkbench.document.marks import watcher
             from vkworkbench.gui.tree import pills
@@ -173,7 +173,7 @@ class _Recomputes:
         from vkworkbench.document import upkeep
         from vkworkbench.gui.qt import progress
 
-        # Analyse only after the marks have been compared with the operations.
+        # Analyse only after the marks in the tree have been compared with the operations.
         if name in FreeCAD.listDocuments():
             idle.work(upkeep.analyzing_again(FreeCAD.getDocument(name), progress.analyze))
 

@@ -7,7 +7,7 @@ from vkworkbench import freecad
 from vkworkbench.core import Family, Recognition, Strategy
 from vkworkbench.document.job.operations import kind
 
-# Families of strategies that fit an operation along a contour, which can be open or cut in many strokes.
+# Families of similar strategies that fit an operation along a contour, which can be open or cut in many strokes.
 _ALONG = {Family.AROUND, Family.STROKES}
 # An engraving follows any drawing. A slot is cut back and forth, one way, or repeatedly.
 _ANY_LINES = {Family.ROWS, *_ALONG}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Recognise the strategy of an operation of a document, for its mark, the Gauss map and the 3D view."""
+"""Recognise the strategy of an operation of a document, for its mark in the tree, the Gauss map and the 3D view."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def better_way(simulator: str, records: Sequence[Record | None], chosen: Prefere
 
 
 def too_long(record: Record, chosen: Preferences) -> Message | None:
-    """Return a warning, with a faster way, if the simulation time that a mark shows is over the budget; else None."""
+    """Return a warning, with a faster way, if a mark in the tree shows a time over the budget; else None."""
     if burden(record, chosen) is not Burden.OVER:
         return None
     seconds, _ = record.cost(chosen.simulator)

@@ -70,7 +70,7 @@ def _mark(document, operations: list[OperationReport], verdicts: dict[str, JobVe
     marked = set()
     for operation in operations:
         obj = document.getObject(operation.name)
-        if obj is not None and has_toolpath(obj):  # the mark of a link is on the linked object
+        if obj is not None and has_toolpath(obj):  # a link's mark in the tree is on the linked object
             path, setting = path_and_setting(operation.fingerprint)
             # The fingerprint of a path is empty if the path could not be read, for example for lack of memory.
             fits = setting in settings.of(obj) and (not path or path_fingerprint(obj) == path)

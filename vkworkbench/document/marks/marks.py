@@ -40,7 +40,7 @@ _LIKE_A_MARK = re.compile(
 
 
 def read(obj) -> Record | None:
-    """Return the mark of an object; None without a mark, or with a mark of an unknown format."""
+    """Return the mark of an object in the tree; None without a mark, or with a mark of an unknown format."""
     known = _kept(obj)
     return known and replace(known, label=obj.Label).shown
 
@@ -114,7 +114,7 @@ def write_total(job, chosen: Preferences, verdict: JobVerdict | None = None) -> 
 
 
 def verdict_of(job, fingerprints: Iterable[str]) -> JobVerdict | None:
-    """Return the verdict in the mark of a job if it is valid for operations with these fingerprints, else None."""
+    """Return the safety verdict in a job's mark if it is valid for operations with these fingerprints, else None."""
     known = read(job)
     if known is None or known.verdict is None:
         return None
@@ -129,7 +129,10 @@ def _verdict_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 
 
 def _verdict(job, parts: dict[Any, Record | None]) -> JobVerdict | None:
-    """Return the verdict in a job's mark. The verdict is outdated if the job, or an operation's mark, has changed."""
+    """Return the simulation's verdict in a job's mark in the tree.
+
+    The verdict is outdated if the job, or an operation's mark, has changed.
+    """
     known = read(job)
     if known is None or known.verdict is None:
         return None
@@ -143,7 +146,7 @@ def _parts(job) -> dict[Any, Record | None]:
 
 
 def _total(job, parts: dict[Any, Record | None]) -> Record:
-    """Return the total of the marks of a job's operations. The total is outdated if a mark is outdated or missing."""
+    """Return the total of the marks of a job's operations; outdated if an operation's mark is outdated or missing."""
     marked = {obj: part for obj, part in parts.items() if part is not None}
     known = [_with_estimate(obj, part) for obj, part in marked.items()]
     total = total_of(job.Document.Name, job.Name, job.Label, known, None, fixtures_of(job))
@@ -162,7 +165,7 @@ def _with_estimate(obj, part: Record) -> Record:
 
 
 def read_total(job) -> Record | None:
-    """Return the mark of a job; None if the job's operations have changed since the mark."""
+    """Return the mark of a job; None if its operations changed after the mark was written."""
     known = read(job)
     return known if known and known.fingerprint == _total_fingerprint(job, _parts(job)) else None
 
@@ -181,7 +184,7 @@ def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: 
     Parameters
     ----------
     obj : DocumentObject
-        An operation. Nothing happens without a mark.
+        An operation. An operation without a mark is ignored.
     settings_of : callable
         Returns the valid fingerprints of an operation's setting (tool and stock).
     path_changed, setting_changed : bool

@@ -16,7 +16,7 @@ from vkworkbench.language import ENGLISH
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-# Name of the hidden property with all data of the mark, and its name in earlier versions. A property of the user can
+# Name of the hidden property with all data of a mark, and its name in earlier versions. A property of the user can
 # have the earlier name, too.
 MARK, _EARLIER = "VkWorkbenchMark", "ToolpathMark"
 # Attributes of visible and of hidden properties, as sums of FreeCAD's flags: ReadOnly (1): the user cannot change the

@@ -86,7 +86,7 @@ class Record(Costs):
     off: bool = False
     text: str = ""
     label: str = ""
-    advice: ClassVar[dict] = {}  # a mark does not store the recommended settings of simulators
+    advice: ClassVar[dict] = {}  # a mark in the tree stores no recommended settings of simulators
 
     @property
     def shown(self) -> Record:
@@ -102,7 +102,7 @@ class Record(Costs):
 
     @property
     def english_remarks(self) -> str:
-        """Remarks, serious cautions and the verdict in English."""
+        """Remarks, serious cautions and the simulation's verdict in English."""
         verdict = [str(self.verdict)] if self.verdict else []
         return " ".join(
             [*map(render, self.remarks), *(c.message for c in self.cautions if c.code in SERIOUS), *verdict]

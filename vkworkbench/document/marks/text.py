@@ -82,7 +82,7 @@ def text_of(record: Record, chosen: Preferences) -> str:
 
 
 def is_unsure(record: Record) -> bool:
-    """Return whether a mark names a strategy with a low confidence."""
+    """Return whether a mark in the tree names a strategy with a low confidence."""
     return record.strategy is not None and record.strategy.is_answer and record.confidence < UNSURE
 
 

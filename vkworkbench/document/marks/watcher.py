@@ -83,7 +83,7 @@ class Watcher:
 
 
 def check(document) -> None:
-    """Compare all marks of a document with their operations at once; see `comparing`."""
+    """Compare all marks in a document's tree with their operations at once; see `comparing`."""
     for _ in comparing(document):
         pass
 

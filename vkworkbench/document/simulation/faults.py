@@ -92,7 +92,7 @@ def with_faults(found: _Found, document: str, name: str) -> _Found:
 
 
 def read_with_faults(obj: FreeCAD.DocumentObject) -> Record | None:
-    """Return the mark of an object with its fault or verdict from a simulation; None without a mark."""
+    """Return an object's mark in the tree, with a simulation's fault or verdict; None without a mark."""
     record = marks.read(obj)
     if record is None:
         return None

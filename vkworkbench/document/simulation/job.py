@@ -103,7 +103,7 @@ class SimulatedJob:
         ])  # fmt: skip
 
     def strategies(self) -> Iterator[Strategy]:
-        """Yield the strategy of each operation, as the operation's mark shows it."""
+        """Yield the strategy of each operation, as the operation's mark in the tree shows it."""
         for operation, cut, toolpath in zip(self.operations, self.cuts, self.as_read):
             found, _ = recognize_operation(toolpath, cut.tool.diameter, operation.imported)
             yield found.strategy

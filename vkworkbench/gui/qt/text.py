@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from vkworkbench.gui.qt.names import QWidget
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP  # marks a text that FreeCAD translates later, when it is shown
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP  # labels a text that FreeCAD translates later, when it is shown
 
 
 def explain(widget: QWidget, text: str) -> None:

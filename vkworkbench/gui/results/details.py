@@ -92,7 +92,7 @@ def _machining(row: Row) -> list[tuple[str, str, str]]:
     cells = [(translate("Vk_Results", "Cutting Length"), length(row.found.length), "")]
     if row.is_total:
         return cells
-    if isinstance(row.found, OperationReport):  # a mark stores no rapid length and no depth
+    if isinstance(row.found, OperationReport):  # marks in the tree have no rapid length and depth
         machining = row.found.machining
         cells.append((translate("Vk_Results", "Rapid Length"), length(machining.rapid_length), ""))
         if machining.depth is not None:

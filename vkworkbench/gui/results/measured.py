@@ -37,6 +37,6 @@ def learn(row: Row, parent: QWidget) -> bool:
 
 
 def analyze_again(document) -> None:
-    """Analyse a document again and update all its marks, without an undo step."""
+    """Analyse a document again and update all its marks in the tree, without an undo step."""
     with suppress(Cancelled):
         marking.mark(progress.analyze(document), undo_step=False)

@@ -171,7 +171,7 @@ class KnownFaults:
         self._publish()
 
     def follow(self, holds: bool) -> None:
-        """Show the faults in the marks and the results panel only while the document is unchanged (`holds`)."""
+        """Show the faults in the tree's marks and the results panel only while the document is unchanged (`holds`)."""
         self._holds = holds
         self._publish()
 

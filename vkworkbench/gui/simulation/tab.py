@@ -168,7 +168,7 @@ class SimulationTab(KeyedWidget):
             QTimer.singleShot(0, self.window_of().close)
 
     def _compare(self) -> None:
-        """Compare the document with the simulated job soon; until then, hide the faults in marks and results panel."""
+        """Compare the document with the simulated job soon; until then, hide the faults in tree and results panel."""
         if self.player is not None:  # a job that is still being read is compared as soon as it has been read
             self.player.known.follow(False)
             self._soon.start()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tooltip of a mark: the reason, the strategy, the time on the machine, the time in each simulator, and warnings."""
+"""The tooltip of a mark in the tree: reason, strategy, time on the machine, time in each simulator, and warnings."""
 
 from __future__ import annotations
 

@@ -100,7 +100,7 @@ class PillDelegate(QStyledItemDelegate):
 
 
 def _layouts(option, index, most_of_remark: int | None) -> list[Layout]:
-    """Return the layouts of a cell's mark, the most detailed first; empty without a mark."""
+    """Return the layouts of the mark in a cell of the tree, the most detailed first; empty without a mark."""
     if not index.data():
         return []
     found = _objects_of(index)
