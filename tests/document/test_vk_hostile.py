@@ -38,7 +38,8 @@ def outdated(document):
 def analyze_mark_clear(what):
     """Analyse a document, write and clear its marks in the tree; return the report.
 
-    Assert that the document is unchanged afterwards."""
+    Assert that the document is unchanged afterwards.
+    """
     document = what.Document if hasattr(what, "Document") else what
     before = {obj.Name: (obj.Label, obj.Label2, obj.PropertiesList) for obj in document.Objects}
     report = vkworkbench.analyze(what)

@@ -119,7 +119,7 @@ FIRST = [
     "Simulation Time",
     "Warnings",
     "Notes",
-]  # without the column "State", which is shown only if a mark in the tree is outdated
+]  # the column "State" is shown only if a mark in the tree is outdated
 
 
 def test_panel_shows_the_total_of_a_job_above_its_operations(panel, opened, window):

@@ -122,7 +122,7 @@ def _job(job, findings: list[Finding], chosen: Preferences) -> Row:
     total = total_of(job.Document.Name, job.Name, job.Label, numbers, budget, fixtures_of(job))
     posted = Counter(o.job.Name for o in find(job.Document) if o.counted and o.job is not None)[job.Name]
     if budget is None and len(counted) == posted:
-        mark = marks.read_total(job)  # with the costs that the last analysis computed from full reports
+        mark = marks.read_total(job)  # this mark has the costs that the last analysis computed from full reports
         total = replace(total, costs={**total.costs, **mark.costs}) if mark else total
     outdated = marks.is_outdated(job) or any(finding.mark.outdated for finding in counted)
     # Build the record of the total as for the job's mark, but without computing costs in simulators that are not shown.
