@@ -101,8 +101,8 @@ class Property:
     before : tuple of str
         Names in earlier versions, the newest first.
     fingerprint : {"path", "setting"} or None
-        Part of a mark's fingerprint that contains the property. If the property changes, the mark in the tree is
-        possibly outdated. None if no fingerprint contains the property.
+        Part of the fingerprint of a mark in the tree; this part contains the property. If the property changes, the
+        mark is possibly outdated. None if no fingerprint contains the property.
     """
 
     newest: str
@@ -204,7 +204,7 @@ _PROPERTIES = tuple(entry for entry in globals().values() if isinstance(entry, P
 
 
 def names_in_fingerprint(part: str) -> frozenset[str]:
-    """Return the names of the properties in one part of a mark's fingerprint: "path" or "setting"."""
+    """Return the names of the properties in one part of the fingerprint of a mark in the tree: "path" or "setting"."""
     return frozenset(name for entry in _PROPERTIES if entry.fingerprint == part for name in entry.names)
 
 

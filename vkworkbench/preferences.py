@@ -142,7 +142,7 @@ class Preferences:
 
     @cached_property
     def simulator(self) -> str:
-        """Name of the simulator whose time the marks show. "own" is replaced by a simulator's name."""
+        """Name of the simulator whose time the marks in the tree show. "own" is replaced by a simulator's name."""
         if self.mark_simulator != OWN:
             return self.mark_simulator
         from vkworkbench.freecad import own_simulator
@@ -151,7 +151,7 @@ class Preferences:
 
     @cached_property
     def simulators(self) -> tuple[str, ...]:
-        """Names of the simulators whose costs are shown, in marks and in columns of the results."""
+        """Names of the simulators whose costs are shown, in marks in the tree and in columns of the results."""
         columns = [key.split(" ")[0] for key in self.result_columns.split(",")]
         return self.simulator, *(name for name in _simulators() if name in columns and name != self.simulator)
 

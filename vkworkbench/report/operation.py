@@ -69,7 +69,8 @@ class OperationReport(Costs):
     machining : Machining
         Lengths and machining time. FreeCAD's own values are not used, because they are wrong for arcs.
     costs, advice : mapping
-        As in `Costs`. If `costs` and `advice` are empty, `remarks` contains the reason.
+        Costs and recommended settings of the simulators, as in `Costs`. If `costs` and `advice` are empty, `remarks`
+        contains the reason.
     cautions : tuple of Caution
         Problems and long times in FreeCAD's simulators, the worst first.
     remarks : tuple of Message

@@ -38,7 +38,8 @@ class Total(Costs):
     incomplete : bool
         Whether the cost of at least one operation is unknown, so that the costs are lower bounds.
     costs, advice : mapping
-        As in `Costs`, for one run of all operations. `costs` and `advice` are empty if no operation has a known cost.
+        Costs and recommended settings of the simulators, as in `Costs`, for one run of all operations. `costs` and
+        `advice` are empty if no operation has a known cost.
     setup : Setup
         Time of tool changes and starts of the spindle, for all work offsets.
     simulated : CutFacts or None

@@ -102,7 +102,7 @@ def _rays(
     The rays are returned as x, y and length, (k,) mm each. Return None if the moves have no common centre.
     """
     weight = 1 / length
-    for _ in range(3):  # repeat without links and moves along the boundary, which are not on circles around the centre
+    for _ in range(3):  # find the centre again without the moves that are not on a circle around it
         xx, xy, yy = dot(weight * dx, dx), dot(weight * dx, dy), dot(weight * dy, dy)
         if xx * yy - xy * xy < ARCS.STRAIGHT_ROWS * (xx + yy) ** 2:
             return None

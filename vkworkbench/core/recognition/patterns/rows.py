@@ -173,7 +173,7 @@ def steps_between(place: np.ndarray, length: np.ndarray) -> Steps | None:
     usual = weighted_median(lateral[aside], shorter[aside])
     neighbour = aside & (lateral <= ROWS.MAX_DISTANCE * usual + ROWS.FINEST)
     even = float(shorter[neighbour & (lateral >= ROWS.MIN_DISTANCE * usual - ROWS.FINEST)].sum() / shorter[aside].sum())
-    if line < ROUNDING.PLACE:  # rounding changes single distances, but not their mean
+    if line < ROUNDING.PLACE:  # use the mean, because rounding changes only single distances
         usual = float(lateral[neighbour].mean())
     return Steps(shorter, aside, neighbour, usual, even, min(line, usual / 2))
 
@@ -339,7 +339,7 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     place = np.append(0.0, np.cumsum(gaps))
     lags = range(1, min(ROWS.MAX_PERIOD, len(gaps)) + 1)
     distance = np.concatenate([place[lag:] - place[:-lag] for lag in lags])
-    distance = distance[distance < ROWS.FARTHEST * pitch]  # longer distances are between rows in different pockets
+    distance = distance[distance < ROWS.FARTHEST * pitch]  # ignore distances between rows in different pockets
     width = max(line, ROWS.SAME_GAP * pitch)
     cell = np.rint(distance / width).astype(np.int64)
     count = np.bincount(cell, minlength=2)
@@ -348,7 +348,7 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     # be at this distance from them.
     with_room = np.searchsorted(place, place[-1] - width * np.arange(-1, len(count) - 1))
     share = np.where(2 * with_room >= len(place), count / np.maximum(with_room, 1), 0.0)
-    # The product favours frequent distances, because a distance that occurs by chance occurs for few lines.
+    # The product of number and share favours frequent distances over distances that occur for few lines, by chance.
     score = count * share
     # Choose the shortest of the frequent distances, because multiples of the period are as frequent as the period.
     nearest = int(np.argmax(score > ROWS.PITCH_FREQUENCY * score.max()))

@@ -54,8 +54,8 @@ def within_operations(toolpath: Toolpath, cut: Sequence[CutSection], doubtful: C
             continue
         area, walls = (one, two) if one.clears else (two, one)
         low, high = np.min(area.boxes, axis=(0, 1)), np.max(area.boxes, axis=(0, 1))
-        # Accept only contours around the area that are cut next to the clearing; other contours can be another
-        # operation.
+        # Accept only contours around the cleared area that are cut directly before or after its clearing; other
+        # contours can be another operation.
         outward = np.array(walls.boxes if area is one else walls.boxes[::-1])
         if abs(low[2] - outward[0, 0, 2]) > ROUNDING.HEIGHT:
             continue

@@ -36,7 +36,7 @@ def features(values: dict[str, float], rules: Strategy, paper: Strategy | None, 
     rules : Strategy
         Strategy that the rules propose.
     paper : Strategy or None
-        Strategy by the paper's literal rule, before all corrections.
+        Strategy by the paper's literal rule, without this recogniser's corrections.
     tool : bool
         Whether the tool's diameter is known, which matters because many rules measure in tool diameters.
     """
@@ -53,7 +53,7 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
     rules : Verdict
         Strategy that the rules propose for the section, and its reason.
     paper : PaperVerdict or None
-        Result of the paper's literal rule, without corrections.
+        Result of the paper's literal rule, without this recogniser's corrections.
 
     Returns
     -------

@@ -32,7 +32,7 @@ class Place:
     def __init__(self, commands: Commands) -> None:
         self.lost: set[str] = set()
         self._commands, self._read = commands, 0
-        # The number of commands before each call of `lose`, and the axes of the call.
+        # For each call of `lose`: the number of commands before the call, and the axes whose position was lost.
         self._losses: list[tuple[int, set[str]]] = []
         self._at: dict[str, float] = {}
         self._motion, self._plane = -1, codes.XY_PLANE
