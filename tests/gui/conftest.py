@@ -180,8 +180,9 @@ class Window:
         return [timer for view in tree.trees() for timer in view.findChildren(QtCore.QTimer)]
 
     def activate(self, workbench):
-        Gui.activateWorkbench(workbench)
-        self.settle()
+        if Gui.activeWorkbench().name() != workbench:
+            Gui.activateWorkbench(workbench)
+            self.settle()
         # Show the tree's dock, which FreeCAD hides because it starts without a workbench.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
         for dock in self.find(QtGui.QDockWidget):
@@ -428,7 +429,8 @@ def opened(kept_document, window, request):
     kept_document.undo_changes()
     window.dismiss()
     kept_document.close_if_changed()
-    window.settle()
+    if kept_document.document is None:
+        window.settle()
 
 
 @pytest.fixture
