@@ -32,8 +32,8 @@ _PART = 10_000_000  # size of one read, bytes
 _LINE_END = re.compile("[\n\r]")
 _PACKED = {".xz": lzma.open, ".gz": gzip.open}
 _MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
-# Three consecutive letters outside ASCII mean that the text is Cyrillic. In Western languages, a letter outside ASCII
-# stands alone.
+# Three consecutive letters outside ASCII mean that the text is Cyrillic. In Western languages, three such letters
+# rarely follow one another.
 _CYRILLIC = re.compile(rb"[\xc0-\xff]{3}")
 # Characters that serial transmission adds to a text: NUL from the leader of a punched tape, and DC1 to DC4, which start
 # and stop a device.

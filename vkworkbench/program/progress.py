@@ -12,7 +12,7 @@ from typing import TextIO
 
 from vkworkbench.language import ENGLISH
 
-_PAUSE = 0.2, 30.0  # Shortest time between two reports to a terminal, and to another stream, s.
+_PAUSE = 0.2, 30.0  # Shortest time between two reports of the progress: to a terminal, and to another stream, s.
 _SMALL = 2000  # Work of opening a file, as the number of bytes whose analysis takes the same time.
 
 

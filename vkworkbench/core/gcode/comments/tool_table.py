@@ -68,7 +68,8 @@ _NO_LENGTH = re.compile(
     rf"{_WITH_UNIT}(?!\s*(?:l\b|loc\b|lo?ng|length|lang|lg\b|oal\b|deep|depth|shank|stick|holder|corner|rad|cr?\b|pitch))",
     re.IGNORECASE,
 )
-_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")  # D10; between vertical bars, D10 is an offset.
+# A diameter such as D10; between vertical bars, D10 is the number of an offset.
+_SHORT = re.compile(rf"(?<![\w|])D(?P<size>{_NUMBER})(?![\w|])")
 # This comment from FreeCAD is always in mm, because FreeCAD converts the moves of a program to inches, but not its
 # comments.
 _IN_MM = re.compile(r"\W*compensated tool path\. diameter", re.IGNORECASE)

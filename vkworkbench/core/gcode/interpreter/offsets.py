@@ -12,7 +12,8 @@ from vkworkbench.language import Message
 # L words of G10 that set a tool's radius: in LinuxCNC's tool table (L1), and in Fanuc's geometry offsets (L12).
 _RADII = (1.0, 12.0)
 _FIRST_OFFSET = 540
-# Codes whose line can contain the P word of Fanuc's G54. In a line with another code, P can belong to the other code.
+# Codes whose line can contain the P word of Fanuc's G54. In a line with a code that is not in this set, the P word can
+# belong to that code.
 _WITHOUT_P = frozenset([
     *(("G", float(code)) for code in (0, 1, 17, 18, 19, 20, 21, 40, 43, 49, 54, 80, 90, 91, 94, 98, 99)),
     *(("M", float(code)) for code in (3, 4, 5, 8, 9)),
