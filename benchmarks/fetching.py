@@ -18,7 +18,7 @@ def rows_of(table: Path) -> list[dict[str, str]]:
 
 
 def fetch(row: dict[str, str], folder: Path, host: str) -> Path:
-    """Fetch the file of a row if it is not in `folder`, and return its path. Raise OSError if the fetch fails."""
+    """Return the path of the file that a table row names. Fetch it if it is not in `folder`; raise OSError on failure."""
     path = folder / "texts" / row["repository"] / row["commit"] / row["path"]
     if not path.exists():
         address = f"{host}/{quote(str(path.relative_to(folder / 'texts')))}"

@@ -79,11 +79,11 @@ def test_dress_up_is_analyzed_after_its_base_is_deleted(small, zigzag_commands):
     assert rows(small.document)["Top"].error is None
 
 
-def test_job_inside_its_own_group_is_analyzed(small, zigzag_commands):
+def test_job_in_its_own_list_of_operations_is_analyzed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     group = small.document.addObject("App::DocumentObjectGroup", "Folder")
     small.job.Operations.Group = [group]
-    group.Group = [op, small.job]  # the job is a member of its own group of operations
+    group.Group = [op, small.job]
     for what in (small.document, small.job, small.job.Operations):
         assert [o.object.Name for o in find(what)] == [op.Name]
     assert rows(small.document)["Zigzag"].strategy == "zigzag"

@@ -268,7 +268,7 @@ def test_mark_under_the_earlier_name_is_read_and_cleared(small, earlier):
 def test_mark_under_the_earlier_name_can_be_outdated(small, earlier, zigzag_commands):
     op, made = earlier
     watcher.check(small.document)
-    # Checking an unchanged mark does not rewrite it.
+    # The watcher does not write the mark of an unchanged operation again.
     assert marks.read(op) == made and "ToolpathMark" in op.PropertiesList
     op.Path = Path.Path([Path.Command(name, words) for name, words in zigzag_commands[:-4]])
     watcher.check(small.document)

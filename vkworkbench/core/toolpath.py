@@ -54,7 +54,7 @@ class Problem:
         return replace(problem, commands=np.asarray(commands, np.int64)) if problem._is_divided else problem
 
     def within(self, first: float, end: float) -> Problem | None:
-        """Return the part of the problem that concerns the commands from `first` to `end` - 1, or None.
+        """Return the problem for the commands from `first` to `end` - 1 only, or None if it does not concern them.
 
         Only a problem that affects the machining time or hides cuts is divided. Every other problem belongs to its
         first command.

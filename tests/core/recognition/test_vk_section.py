@@ -375,7 +375,7 @@ def test_stroke_back_and_forth_clears_the_adjacent_ring(strokes, clears):
 
 @pytest.mark.parametrize("tool, clears", [(6.0, True), (3.0, False), (0.0, True)])
 def test_stroke_clears_a_ring_only_within_the_largest_stepover(tool, clears):
-    """The stroke ends 4 mm before the ends of the ring, and the largest stepover of a tool of 3 mm is 3.6 mm."""
+    """The stroke ends 4 mm before the sides of the closed loop. The largest stepover of a tool of 3 mm is 3.6 mm."""
     assert bool(section(RING, there_and_back, tool=tool).filled()) is clears
 
 

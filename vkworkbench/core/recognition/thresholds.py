@@ -334,9 +334,9 @@ class RINGS:
     #: value 1, rows in several pockets, each with a contour, are recognised as mixed. Comparing more rings takes
     #: longer.
     WALLS = 8
-    #: share of the steps. Nested rings are cut from inside to outside, or from outside to inside, if more than this
-    #: share of the steps between the rings has this direction. Climb or conventional milling is reported only for such
-    #: rings. No recognised strategy depends on this threshold.
+    #: share of the steps between rings. Nested rings are cut from inside to outside, or from outside to inside, if more
+    #: than this share of the steps between the rings has this direction. Climb or conventional milling is reported only
+    #: for such rings. No recognised strategy depends on this threshold.
     ONE_WAY = 0.75
 
 

@@ -89,7 +89,7 @@ def test_programs_are_divided_into_operations_in_subprograms():
         "M97 P12345678901",
     ],
 )
-def test_unreadable_or_missing_call_has_a_remark(call):
+def test_call_of_an_unreadable_or_missing_program_has_a_remark(call):
     text = f"O1\n{BEFORE}G1 X1\n{call}\nX5\nM30\nO2000\nG91\nM99"
     assert points(text)[-1] == (5, 0, 0)
     assert said(text) == ["Line 6: A subprogram or macro call is ignored."]

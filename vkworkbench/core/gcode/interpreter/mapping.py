@@ -76,7 +76,7 @@ def _name(machine: Machine) -> str:
 
 
 def _centre(machine: Machine, line: Line) -> dict[str, float]:
-    """Return a map's fixed point from a line's words, mm; for an absent word, the tool's coordinate."""
+    """Return the fixed point of a rotation or scaling, mm. An absent word of the line means the tool's coordinate."""
     unit = machine.modes.unit
     return {**{letter: unit * value for letter, value in machine.coordinates().items()}, **line.lengths(unit)}
 

@@ -141,7 +141,7 @@ class Work:
 def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
     """Return the amounts of work, one for each size of tiles, for an image with `growth` times as many pixels.
 
-    The amounts are interpolated between sizes of tiles on a logarithmic scale.
+    The amounts of work are interpolated between sizes of tiles on a logarithmic scale.
     """
     if growth == 1 or len(levels) < 2 or levels.min() <= 0:
         return levels * growth

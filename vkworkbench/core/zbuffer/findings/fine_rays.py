@@ -30,7 +30,7 @@ RAYS_ACROSS = 8
 # number of moves in one batch. With larger batches, a check exceeds its time limit by more, because the elapsed time is
 # checked only between batches. With smaller batches, a check takes longer in total.
 _TOGETHER, _MOVES = 4000.0, 256
-_BLOCKS = 16  # number of batches of small tiles after which the found pieces are yielded
+_BLOCKS = 16  # number of batches of small tiles after which the removed pieces of rays are yielded
 
 
 class FineRays:

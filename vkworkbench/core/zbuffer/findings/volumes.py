@@ -32,8 +32,8 @@ _RAYS = 60_000
 # (Student's t with 3 degrees of freedom).
 _STUDENT = 3.18
 # Each move is divided into parts whose volumes are measured separately. _PART: largest length of a part, as a multiple
-# of the tool's diameter. _PARTS: largest number of parts of a move. Longer parts average out short peaks of the removal
-# rate. In shorter parts, the removal rate would depend on single rays.
+# of the tool's diameter. _PARTS: largest number of parts of a move. With longer parts of moves, short peaks of the
+# removal rate are averaged out. With shorter parts of moves, the removal rate would depend on single rays.
 _PART, _PARTS = 1.0, 100
 # Lower bound of the error, as a share of the volume. The real error of a volume is never 0, because depths are rounded.
 _LEAST = 5e-4

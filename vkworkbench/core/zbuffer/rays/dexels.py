@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 # Largest length of a piece of a ray that is joined to a neighbouring piece, mm. A smaller length would turn rounding
-# errors into pieces, and a larger length would attribute thin layers of material to the wrong trajectory.
+# errors into pieces of rays, and a larger length would attribute thin layers of material to the wrong trajectory.
 THINNEST = 1e-4
 # Length, mm, by which a trajectory must reach deeper than earlier trajectories to cut a ray. A smaller length would
 # count rounding errors as cuts, and a larger length would ignore real cuts.

@@ -31,7 +31,7 @@ class Map(NamedTuple):
     flips: bool = False
 
     def vector(self, way: complex) -> complex:
-        """Return the image of a vector, the difference between two points."""
+        """Return the vector that the map makes of a vector (a difference between two points)."""
         return self.factor * (way.conjugate() if self.flips else way)
 
     def point(self, point: complex) -> complex:
