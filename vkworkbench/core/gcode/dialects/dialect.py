@@ -26,6 +26,10 @@ class Dialect:
         Whether I, J and K words are the coordinates of a centre, which is used for all later arcs.
     calls : bool
         Whether M97 and M98 call subprograms, and M99 returns from a subprogram.
+    modes_in_line : bool
+        Whether G90 and G91 apply only to the coordinates after them, also within a line.
+    to_machine : frozenset of int
+        M-codes with which the coordinates of a line are a machine position.
     """
 
     feed_time: float = 60.0
@@ -34,6 +38,8 @@ class Dialect:
     data: frozenset[int] = frozenset()
     has_pole: bool = False
     calls: bool = True
+    modes_in_line: bool = False
+    to_machine: frozenset[int] = frozenset()
 
 
 RS274 = Dialect()  # the dialect of LinuxCNC, Fanuc, Haas, Mach3 and grbl
@@ -44,4 +50,6 @@ HEIDENHAIN = Dialect(  # Heidenhain programs in DIN/ISO.
     data=frozenset([300, 310, 990]),  # G30, G31 and G99 define the stock and tools
     has_pole=True,
     calls=False,
+    modes_in_line=True,
+    to_machine=frozenset([91, 92]),
 )

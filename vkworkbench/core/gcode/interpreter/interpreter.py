@@ -28,7 +28,6 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
-_MACHINE_POSITIONS = (91, 92)  # Heidenhain's M-codes for a move to a machine position.
 # Words that controls process before the other words of a line: units, modes, planes and work offsets.
 _FIRST = frozenset(("G", code / 10) for code in codes.UNITS | codes.KEPT | codes.OFFSETS)
 _HANDLERS: dict[int, Handler] = {
@@ -70,7 +69,7 @@ class Interpreter(Machine):
             Whether the line ends the program or subprogram at once (M99). M2 and M30 set `ended` instead.
         """
         self.number, self.deleted, self.call = number, deleted, None
-        if self.dialect is HEIDENHAIN:
+        if self.dialect.modes_in_line:
             words = self._in_one_distance_mode(words)
         line = Line(words, letters, {})
         returns = self._take_words(line)
@@ -78,7 +77,7 @@ class Interpreter(Machine):
             line.parameters.setdefault("F", self.modes.per_turn)
         if line.codes or "F" in line.parameters:
             self._note_feed(line)
-        both = codes.ABSOLUTE in line.codes and codes.RELATIVE in line.codes and self.dialect is not HEIDENHAIN
+        both = codes.ABSOLUTE in line.codes and codes.RELATIVE in line.codes and not self.dialect.modes_in_line
         if both and not (line.apart or letters.isdisjoint("XYZ")):
             self.problem(Message("two-motions"))
         move_of(self, line)
@@ -86,18 +85,16 @@ class Interpreter(Machine):
         return returns
 
     def _in_one_distance_mode(self, words: list[tuple[str, float]]) -> list[tuple[str, float]]:
-        """Return the words of a line, with all coordinates for the line's last G90 or G91.
-
-        On Heidenhain controls, G90 and G91 are in force only for the coordinates after them, also within a line.
-        """
-        modes = [value for letter, value in words if letter == "G" and value in (90.0, 91.0)]
+        """Return the words of a line, with all coordinates converted to the distance mode at the line's end."""
+        absolute, incremental = ("G", codes.ABSOLUTE / 10), ("G", codes.RELATIVE / 10)
+        modes = [word for word in words if word in (absolute, incremental)]
         if not modes:
             return words
         relative, here, result = self.modes.relative, self.coordinates(), []
         for letter, value in words:
-            if letter == "G" and value in (90.0, 91.0):
-                relative = value == 91.0
-            elif letter in "XYZ" and relative != (modes[-1] == 91.0):
+            if (letter, value) in modes:
+                relative = (letter, value) == incremental
+            elif letter in "XYZ" and relative != (modes[-1] == incremental):
                 if letter not in here:
                     self.problem(Message("word-not-read", letter=letter))
                     continue
@@ -121,7 +118,7 @@ class Interpreter(Machine):
                 self._g_code(whole(10 * value, 10 * _MOST_CODES), line)
             elif letter == "M":
                 change |= value == 6
-                if value in _MACHINE_POSITIONS and self.dialect is HEIDENHAIN:
+                if value in self.dialect.to_machine:
                     axes = letters & set("XYZ")
                     offsets.leave_program(self, line, axes, codes.MACHINE_COORDINATES, f"M{value:.0f}")
                 returns |= m_codes.process(self, value, letters)
