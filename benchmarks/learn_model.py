@@ -37,7 +37,7 @@ VALUES = tuple(s.value for s in STRATEGIES)
 UNKNOWN = STRATEGIES.index(Strategy.UNKNOWN)
 FOLDS = 10
 #: Weights of a table row, by its kind, in three fits: of the strategies, of nonsense toolpaths, and of the confidence.
-#: Programs have large weights, because users have programs, but the table has few of them.
+#: Programs have large weights, because users mostly analyse programs and the table has few programs.
 WEIGHTS = {
     "program": (4.0, 6.0, 1.0),
     "program, told": (3.0, 0.0, 1.0),

@@ -203,7 +203,7 @@ def test_plunge_beside_at_most_four_passes_is_a_hole():
         ([(0, -2.0), (10, -2.0), (20, -1.0)], False),
         ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # The holes are as deep as the pocket.
         ([(0, -2.0), (10, -2.5), (20, -1.0)], True),
-        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # These moves are pecks in one hole.
+        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # The plunges are pecks in one hole.
     ],
 )
 def test_plunges_to_the_depths_of_contours_are_not_holes(places, borders):

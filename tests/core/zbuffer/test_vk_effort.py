@@ -73,7 +73,7 @@ def test_number_of_test_batches_is_at_least_the_number_of_bands():
     [
         ([1, 2, 16], 1, [1, 2, 16]),
         # With twice as many pixels, each number is the geometric mean of the old numbers for this tile size and for the
-        # next tile size. A number counts as at most 4 times the number before.
+        # next tile size. A number counts as at most 4 times the preceding number.
         ([1, 2, 16], 2, [sqrt(2), 4, 16]),
         ([1, 4], 4, [4, 16]),
         ([1, 4], 0.25, [0.25, 1]),

@@ -10,7 +10,7 @@ from vkworkbench.core.zbuffer.rays import records as module
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, Writer, side_by_side
 
 TRAJECTORIES = 3  # In `OWNER`, the number 3 means material that stays.
-# The rays of pixels 0 to 5 consist of these pieces: 0: cut, stays, cut. 1: none. 2: stays, gap, stays, stays. 3: cut.
+# The pieces on the rays of pixels 0 to 5 are: 0: cut, stays, cut. 1: none. 2: stays, gap, stays, stays. 3: cut.
 # 4: cut, cut, stays. 5: stays.
 INDEX = [0, 3, 3, 7, 8, 11, 12]
 ENTRY = [-5.0, 0.0, -4.0, 1.0, 2.0, 6.0]

@@ -142,7 +142,7 @@ def test_crowded_area_has_more_rays_with_smaller_areas():
 
 
 def test_sample_has_fewer_rays_if_each_ray_is_passed_often():
-    """Every move passes the whole image. The sample has 450 rays, or as many as meet 150,000 moves in total.
+    """Every move passes the whole image. The sample has 450 rays, or the number of rays that meet 150,000 moves in total.
 
     The sample never has fewer than 100 rays.
     """

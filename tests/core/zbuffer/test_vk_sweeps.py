@@ -40,7 +40,7 @@ def test_sweep_is_continuous_where_ray_touches_cone_rim():
     """The ray only touches the tool at the rim. Rounding may move the ray past the tool."""
     tool = Tool("drill", 8, tip_angle=2 * atan(2))
     start, move = (np.repeat([[x], [y], [z]], RAYS, axis=1) for x, y, z in ((2.0, 12.0, 10.0), (-12.0, -16.0, -12.0)))
-    along = np.linspace(-3, 3, RAYS)  # These are several points of one ray.
+    along = np.linspace(-3, 3, RAYS)  # Positions of several points of one ray.
     point = np.array([np.full(RAYS, 1.5), 5.75191847 + 0.6 * along, 7.83077538 - 0.8 * along])
     exact, beside = (intervals(tool, start, move, (point[0] + by, *point[1:]), 0.6, 0.8) for by in (0, 1e-7))
     assert np.abs(np.subtract(exact, beside)).max() < 1e-2

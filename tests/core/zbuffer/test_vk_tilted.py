@@ -122,7 +122,7 @@ WHOLE, NEAR, FAR, MIDDLE = (-5.0, 5.0), (-5.0, 0.0), (2.0, 5.0), (-1.0, 1.0)
     "pairs, stay",
     [
         ([(NEAR, NEAR), ((-4, -1), NOWHERE)], [0]),
-        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # Only a part of the tile is cut before.
+        ([(NEAR, NOWHERE), ((-4, -1), NOWHERE)], [0, 1]),  # The first trajectory cuts only a part of the tile.
         ([(NEAR, (-5, -2)), ((-4, -1), NOWHERE), ((-4, -2.5), NOWHERE)], [0, 1]),
         ([(FAR, FAR), ((3, 4), NOWHERE), ((1, 4), NOWHERE)], [0, 2]),
         ([(FAR, (9, 8)), ((3, 4), NOWHERE)], [0, 1]),
