@@ -10,7 +10,7 @@ from zbuffer_inputs import BOX, toolpath
 from vkworkbench.core import Cut, Tool, View
 from vkworkbench.core.zbuffer.memory import counts
 from vkworkbench.core.zbuffer.rays import chains
-from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Pieces
+from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Segments
 from vkworkbench.core.zbuffer.rays.records import GAP
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
@@ -26,12 +26,12 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
         ([UNCUT, 1, 4, 2, UNCUT], True),  # A third cut joined two gaps.
     ],
 )
-def test_ray_piece_cut_later_than_both_neighbours_is_found(owners, unconnected):
-    # Beside the tested ray are two rays of three pieces, of which the first and the last are uncut.
+def test_ray_segment_cut_later_than_both_neighbours_is_found(owners, unconnected):
+    # Beside the tested ray are two rays of three segments, of which the first and the last are uncut.
     others = [UNCUT, 1, UNCUT]
     rays = np.repeat(np.arange(3), [3, len(owners), 3])
-    pieces = Pieces(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
-    assert counts._unconnected(pieces, 4).tolist() == [False, unconnected, False, False]
+    segments = Segments(rays, np.array(others + owners + others), *np.zeros((2, len(rays))))
+    assert counts._unconnected(segments, 4).tolist() == [False, unconnected, False, False]
 
 
 def test_only_rays_with_unconnected_removed_intervals_are_sorted(monkeypatch):
@@ -42,9 +42,9 @@ def test_only_rays_with_unconnected_removed_intervals_are_sorted(monkeypatch):
     first_cuts = chains.first_cuts
     monkeypatch.setattr(chains, "first_cuts", lambda *of: sorted_.append(len(of[0])) or first_cuts(*of))
     near, far = np.zeros(200), np.full(200, 20.0)
-    pieces = chains.cut_rays(near, far, ray, np.arange(800), enter, enter + rng.integers(1, 9, 800))
-    assert 20 < counts._unconnected(pieces, 200).sum() < 180
-    assert sorted_ == [counts._unconnected(pieces, 200).sum()]
+    segments = chains.cut_rays(near, far, ray, np.arange(800), enter, enter + rng.integers(1, 9, 800))
+    assert 20 < counts._unconnected(segments, 200).sum() < 180
+    assert sorted_ == [counts._unconnected(segments, 200).sum()]
 
 
 @pytest.mark.parametrize(("depths", "share"), [([4], 0), ([4, 4], 1), ([8, 4], 1 / 2)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Dexels, traces and removed lengths of a few rays, from pieces of the rays that are written down by hand."""
+"""Dexels, traces and removed lengths of a few rays, from segments of the rays that are written down by hand."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vkworkbench.core.zbuffer.rays import records as module
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, Writer, side_by_side
 
 TRAJECTORIES = 3  # In `OWNER`, the number 3 means material that stays.
-# The pieces on the rays of pixels 0 to 5 are: 0: cut, stays, cut. 1: none. 2: stays, gap, stays, stays. 3: cut.
+# The segments on the rays of pixels 0 to 5 are: 0: cut, stays, cut. 1: none. 2: stays, gap, stays, stays. 3: cut.
 # 4: cut, cut, stays. 5: stays.
 INDEX = [0, 3, 3, 7, 8, 11, 12]
 ENTRY = [-5.0, 0.0, -4.0, 1.0, 2.0, 6.0]
@@ -39,7 +39,7 @@ def part(rays, begin, end):
     return Records(TRAJECTORIES, index, rays.entry[begin:end], rays.far[own], rays.owner[own])
 
 
-def test_near_ends_and_pixels_of_pieces_of_rays_are_computed():
+def test_near_ends_and_pixels_of_segments_of_rays_are_computed():
     rays = records()
     assert rays.near().tolist() == NEAR and rays.pixel().tolist() == PIXEL
     assert rays.cut.tolist() == [True, False, True, *[False] * 4, True, True, True, False, False]
@@ -51,22 +51,22 @@ def test_removed_lengths_on_rays_do_not_depend_on_batch_size(block, monkeypatch)
     monkeypatch.setattr(module, "_BLOCK", block)
     rays = records()
     assert rays.lengths.tolist() == [2 + 2, 1, 4 + 2]
-    for owners, pieces in (([1, 0, 1], [0, 2, 7, 9]), ([0, 1, 0], [8]), ([0, 0, 0], [])):
-        piece, pixel, near = rays.pieces_of(np.array(owners, bool))
-        assert piece.tolist() == pieces and pixel.tolist() == [PIXEL[k] for k in pieces]
-        assert near.tolist() == [NEAR[k] for k in pieces]
+    for owners, segments in (([1, 0, 1], [0, 2, 7, 9]), ([0, 1, 0], [8]), ([0, 0, 0], [])):
+        segment, pixel, near = rays.segments_of(np.array(owners, bool))
+        assert segment.tolist() == segments and pixel.tolist() == [PIXEL[k] for k in segments]
+        assert near.tolist() == [NEAR[k] for k in segments]
     blocks = list(rays.blocks())
     at = 0
-    for pixel, piece, of in blocks:
-        assert (pixel, piece) == (at, INDEX[at])
+    for pixel, segment, of in blocks:
+        assert (pixel, segment) == (at, INDEX[at])
         same(of, part(rays, at, at + len(of.entry)))
         at += len(of.entry)
     assert at == 6
-    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # The pieces of one ray stay in one batch.
+    assert len(blocks) == {1: 5, 2: 3, 4: 3, 1 << 17: 1}[block]  # The segments of one ray stay in one batch.
 
 
 def test_batches_of_rays_are_larger_for_many_trajectories(monkeypatch):
-    """Each batch needs sums over all trajectories, so a batch has at least a quarter as many pieces as trajectories."""
+    """A batch has at least a quarter as many segments as trajectories, because it needs sums over all trajectories."""
     monkeypatch.setattr(module, "_BLOCK", 1)
     many = Records(24, *(getattr(records(), name) for name in ("index", "entry", "far", "owner")))
     assert [pixel for pixel, _, _ in many.blocks()] == [0, 2]
@@ -81,7 +81,7 @@ def test_batches_of_rays_are_larger_for_many_trajectories(monkeypatch):
         (3, [(-3, 1, 0), (-4, -2, 2), (0, 4, 2), (5, 9, 4), (6, 8, 5)]),
     ],
 )
-def test_dexels_are_pieces_of_rays_that_are_not_yet_removed(step, expected):
+def test_dexels_are_segments_of_rays_that_are_not_yet_removed(step, expected):
     assert records().dexels(step).tolist() == expected
 
 
@@ -113,8 +113,8 @@ def test_bands_of_rows_are_joined_to_one_image(bands):
     same(written.records(), whole)
 
 
-def test_growing_arrays_of_pieces_are_copied_only_a_few_times():
-    """The arrays grow by an eighth, so appending one piece of a ray 4,096 times causes only a few copies."""
+def test_growing_arrays_of_segments_are_copied_only_a_few_times():
+    """The arrays grow by an eighth, so appending one segment of a ray 4,096 times causes only a few copies."""
     written, band = Writer(TRAJECTORIES, 4096), part(records(), 5, 6)
     sizes = set()
     for _ in range(4096):

@@ -22,9 +22,9 @@ def random_removal(seed, direction):
     return Removal(Cuts(cuts), BOX, View(direction, 80, 60).frame(BOX)), rng
 
 
-def told(pieces, ray):
-    own = pieces.ray == ray
-    return [values[own].tolist() for values in (pieces.owner, pieces.near, pieces.far)]
+def told(segments, ray):
+    own = segments.ray == ray
+    return [values[own].tolist() for values in (segments.owner, segments.near, segments.far)]
 
 
 def alike(told):
@@ -42,8 +42,8 @@ def test_ray_in_a_batch_is_cut_like_a_single_ray(count, direction, monkeypatch):
     together, passes = removal.cut(x, y)
     assert (np.diff(together.ray) >= 0).all()
     alone = [removal.cut(x[k : k + 1], y[k : k + 1]) for k in range(count)]
-    for k, (pieces, own) in enumerate(alone):
-        assert told(together, k) == alike(told(pieces, 0)) and passes[k] == own[0]
+    for k, (segments, own) in enumerate(alone):
+        assert told(together, k) == alike(told(segments, 0)) and passes[k] == own[0]
     monkeypatch.setattr(module, "_PAIRS_HELD", 3 * GROUP)
     monkeypatch.setattr(module, "_PAIRS_AT_ONCE", 2 * GROUP)
     few, again = removal.cut(x, y)
@@ -65,13 +65,13 @@ def slots():
 
 def test_ray_is_tested_with_passing_trajectories_only(slots):
     x, y = np.array([0.0, 0.0, 0.0, 30.0]), np.array([-10.0, 0.0, 10.0, 0.0])
-    pieces, passes = slots.cut(x, y)
+    segments, passes = slots.cut(x, y)
     # One move at each height passes each ray in a slot. The plunges at the ends of the slots are too far away.
     assert passes.tolist() == [2, 0, 1, 0]
-    assert told(pieces, 0) == [[0, 4, UNCUT], pytest.approx([-5, -3, 1]), pytest.approx([-3, 1, 5])]
-    assert told(pieces, 1) == [[UNCUT], [-5], [5]]
-    assert told(pieces, 2) == [[8, UNCUT], pytest.approx([-5, -1]), pytest.approx([-1, 5])]
-    assert told(pieces, 3) == [[], [], []]
+    assert told(segments, 0) == [[0, 4, UNCUT], pytest.approx([-5, -3, 1]), pytest.approx([-3, 1, 5])]
+    assert told(segments, 1) == [[UNCUT], [-5], [5]]
+    assert told(segments, 2) == [[8, UNCUT], pytest.approx([-5, -1]), pytest.approx([-1, 5])]
+    assert told(segments, 3) == [[], [], []]
 
 
 def test_single_ray_of_a_group_is_cut(slots):

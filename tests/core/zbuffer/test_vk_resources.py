@@ -115,8 +115,8 @@ def test_95_percent_of_estimates_are_within_two_errors():
         totals = []
         for seed in range(20):
             rays = sample(removal, np.random.default_rng(seed))
-            pieces, _ = removal.cut(rays.x, rays.y)
-            totals.append(rays.total(np.bincount(pieces.ray[pieces.owner != UNCUT], minlength=len(rays.x))))
+            segments, _ = removal.cut(rays.x, rays.y)
+            totals.append(rays.total(np.bincount(segments.ray[segments.owner != UNCUT], minlength=len(rays.x))))
         total, error = np.array(totals).T
         within.append(np.abs(total - total.mean()) <= 2 * error)
         # The error estimate must not be so large that it is useless.

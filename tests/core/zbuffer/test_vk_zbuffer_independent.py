@@ -4,9 +4,9 @@
 A point belongs to the first trajectory whose tool reaches the point. The second implementation tries single points with
 every move: the height of the tool's surface above a point is a convex function of the tool's place on its move, so
 halving
-finds the lowest height. The points are probes on the rays. Probes beside both ends of every piece of a ray check the
+finds the lowest height. The points are probes on the rays. Probes beside both ends of every segment of a ray check the
 depth at
-which the piece ends, and probes between the ends check the trajectory that removed the piece.
+which the segment ends, and probes between the ends check the trajectory that removed the segment.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.simulator.simulate import simulate, simulate_job
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut
 
-# Distance between the end of a piece of a ray and the probe beside this end, mm.
+# Distance between the end of a segment of a ray and the probe beside this end, mm.
 BESIDE = 5e-4
-# The tool is grown or shrunk by this length before a probe is compared, mm, because depths are float32 and pieces of
+# The tool is grown or shrunk by this length before a probe is compared, mm, because depths are float32 and segments of
 # rays up to THINNEST are joined to their neighbours.
 CLEARANCE = 2e-4
-# Positions of the probes between the two ends of a piece of a ray, as shares of the length of the piece.
+# Positions of the probes between the two ends of a segment of a ray, as shares of the length of the segment.
 BETWEEN = (0.1, 0.3, 0.5, 0.7, 0.9)
 # Differences of depths up to this length are rounding errors, mm.
 NOISE = 1e-7
@@ -94,7 +94,7 @@ def wrong_probes(cuts, at, owner, uncut):
             near = (point >= lower).all(axis=2) & (point[..., :2] <= upper).all(axis=2)
             probe, item = np.nonzero(near & (own < owner[some, None]))
             probe, item = some[probe], own[item]
-            # The swept volumes of trajectories before the owner (the trajectory that removed the piece) exclude the
+            # The swept volumes of trajectories before the owner (the trajectory that removed the segment) exclude the
             # probe.
             earlier = reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, -CLEARANCE)
             wrong[probe[earlier]] = True
@@ -106,7 +106,7 @@ def wrong_probes(cuts, at, owner, uncut):
 
 
 def check(z, stock, pixels=None):
-    """Check that the trajectory of each piece of a ray removes the points of the piece, for some pixels or all."""
+    """Check that the trajectory of each segment of a ray removes the points of the segment, for some pixels or all."""
     frame, dexels, cut = z.frame, z.dexel_records, z.trace_records["trajectory"] < z.step
     traces = z.trace_records[cut]
     trace_pixel = np.repeat(np.arange(frame.width * frame.height), np.diff(z.trace_index.astype(int)))[cut]
@@ -128,7 +128,7 @@ def check(z, stock, pixels=None):
 
 
 def check_that_rays_are_filled(frame, stock, pixel, near, far, owner, pixels):
-    """Compare the pieces of rays with the stock: no part of a ray may be missing or occur twice."""
+    """Compare the segments of rays with the stock: no part of a ray may be missing or occur twice."""
     first = np.append(True, pixel[1:] != pixel[:-1]) if len(pixel) else np.zeros(0, bool)
     last = np.append(first[1:], True) if len(pixel) else first
     all_pixels = np.arange(frame.width * frame.height) if pixels is None else np.sort(pixels)
@@ -146,10 +146,10 @@ def check_that_culling_drops_nothing(z, stock):
     """Compare a z-buffer with rays that are tested with all trajectories whose bounding boxes they pass."""
     frame, records = z.frame, z.records
     row, column = np.divmod(np.arange(frame.width * frame.height), frame.width)
-    pieces, _ = Removal(z.cuts, stock, frame).cut(*frame.pixel_centres(column, row))
-    assert np.array_equal(records.pixel(), pieces.ray)
-    assert np.array_equal(records.owner, np.minimum(pieces.owner, z.trajectories))
-    assert close(records.near(), pieces.near, NOISE, NOISE) and close(records.far, pieces.far, NOISE, NOISE)
+    segments, _ = Removal(z.cuts, stock, frame).cut(*frame.pixel_centres(column, row))
+    assert np.array_equal(records.pixel(), segments.ray)
+    assert np.array_equal(records.owner, np.minimum(segments.owner, z.trajectories))
+    assert close(records.near(), segments.near, NOISE, NOISE) and close(records.far, segments.far, NOISE, NOISE)
 
 
 def some_pixels(rng, view, count):
@@ -164,7 +164,7 @@ EVERY_TOOL = TOOLS + CHAMFERS
 @pytest.mark.long
 @pytest.mark.parametrize("path", PATHS, ids=lambda path: path.__name__)
 @pytest.mark.parametrize("tool", EVERY_TOOL, ids=str)
-def test_each_ray_piece_belongs_to_the_move_that_removes_it(tool, path):
+def test_each_ray_segment_belongs_to_the_move_that_removes_it(tool, path):
     """The last moment of the simulation and a random earlier moment are compared."""
     which = PATHS.index(path), EVERY_TOOL.index(tool)
     rng = np.random.default_rng(which)
@@ -183,14 +183,14 @@ def test_each_ray_piece_belongs_to_the_move_that_removes_it(tool, path):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 0.5, -0.3)])
-def test_check_finds_shifted_ends_and_wrong_moves_of_ray_pieces(direction):
-    """Ends of pieces are shifted by 0.001 mm, or a piece is assigned to the move before or after the right move."""
+def test_check_finds_shifted_ends_and_wrong_moves_of_ray_segments(direction):
+    """Ends of segments are shifted by 0.001 mm, or a segment is assigned to the move before or after the right move."""
     points = free(np.random.default_rng(2), 8)
     z = simulate(toolpath(points), tool=TOOLS[0], stock=BOX, view=View(direction, 30, 20))
     check(z, BOX)
     records = z.records
     pixel, cut = records.pixel(), records.cut
-    inner = np.append(pixel[1:] == pixel[:-1], False)  # Pieces of rays that another piece follows.
+    inner = np.append(pixel[1:] == pixel[:-1], False)  # Segments of rays that another segment follows.
     assert inner.sum() > 100
     for far, owner in (
         (records.far + np.float32(1e-3) * inner, records.owner),

@@ -227,13 +227,13 @@ def test_huge_image_is_refused_by_default():
         simulate(path, **solids)
 
 
-def test_each_dexel_or_piece_of_a_trace_has_eight_bytes():
+def test_each_dexel_or_segment_of_a_trace_has_eight_bytes():
     path, solids = case(2000, (0, 0, -1), 200, 150)
     z = simulate(path, **solids)
-    pieces = z.traces + z.dexels
-    assert z.records.far.nbytes + z.records.owner.nbytes == 8 * pieces
-    assert z.memory_bytes == 8 * pieces + 8 * 200 * 150 + 4
-    assert np.array_equal(np.diff(z.records.index.astype(int)).sum(), pieces)
+    segments = z.traces + z.dexels
+    assert z.records.far.nbytes + z.records.owner.nbytes == 8 * segments
+    assert z.memory_bytes == 8 * segments + 8 * 200 * 150 + 4
+    assert np.array_equal(np.diff(z.records.index.astype(int)).sum(), segments)
 
 
 @pytest.mark.parametrize("function", [simulate, simulate_job])

@@ -15,7 +15,7 @@ from vkworkbench.core import Cylinder, Mesh, Stock, Tool, View, estimate, stocks
 from vkworkbench.core.zbuffer import OverBudget, deviations, memory_needed
 from vkworkbench.core.zbuffer.findings.facts import removed_volumes
 from vkworkbench.core.zbuffer.memory.silhouette import seen_areas
-from vkworkbench.core.zbuffer.rays.dexels import Pieces, first_cuts
+from vkworkbench.core.zbuffer.rays.dexels import Segments, first_cuts
 from vkworkbench.core.zbuffer.rays.records import GAP
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.rays.surface import STOCK
@@ -68,8 +68,8 @@ def test_mesh_is_cut_like_every_pair_of_ray_and_trajectory(seed):
     # Each stretch of a ray inside the mesh is cut as a separate ray.
     stretch, item = (pairs.ravel() for pairs in np.indices((len(ray), len(removal.index))))
     enter, leave = removal.intervals(x[ray[stretch]], y[ray[stretch]], item)
-    pieces = first_cuts(near, far, stretch, removal.index[item], enter, leave)
-    expected = Pieces(ray[pieces.ray], pieces.owner, pieces.near, pieces.far)
+    segments = first_cuts(near, far, stretch, removal.index[item], enter, leave)
+    expected = Segments(ray[segments.ray], segments.owner, segments.near, segments.far)
     records = z.records
     kept = records.owner != GAP
     assert np.array_equal(records.pixel()[kept], expected.ray)
@@ -204,9 +204,9 @@ COMB = Mesh(np.concatenate([box((0, y + 0.25, 0), (60, y + 0.75, 20)) for y in r
 
 
 @pytest.mark.parametrize(
-    "direction, pieces", [((0, 1, 0), 199), ((0, 0, -1), 0.5), ((1, 0, 0), 0.5)], ids=["along", "above", "aside"]
+    "direction, segments", [((0, 1, 0), 199), ((0, 0, -1), 0.5), ((1, 0, 0), 0.5)], ids=["along", "above", "aside"]
 )
-def test_memory_of_a_mesh_with_gaps_is_estimated(direction, pieces):
+def test_memory_of_a_mesh_with_gaps_is_estimated(direction, segments):
     """A ray along Y passes a hundred ribs and the gaps between them.
 
     A ray in another direction passes one rib or none.
@@ -215,7 +215,7 @@ def test_memory_of_a_mesh_with_gaps_is_estimated(direction, pieces):
     solids = {"tool": TOOLS[0], "stock": COMB, "view": View(direction, 128, 128, pixel=0.78125)}
     told, true = estimate(moves, None, **solids), simulate(moves, **solids)
     area = 60 * 20 if direction == (0, 1, 0) else 100 * (60 if direction == (0, 0, -1) else 20)
-    assert told.peak.stock + 128 * 128 == pytest.approx(pieces * area / 0.78125**2 + 128 * 128, rel=0.03)
+    assert told.peak.stock + 128 * 128 == pytest.approx(segments * area / 0.78125**2 + 128 * 128, rel=0.03)
     assert told.peak.records + 128 * 128 == pytest.approx(true.peak.records + 128 * 128, rel=0.05)
 
 

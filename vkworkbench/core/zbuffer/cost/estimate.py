@@ -30,7 +30,7 @@ class Estimate:
     dexels : float
         Number of dexels at the end of the simulation.
     traces : float
-        Number of trace elements: pieces of rays that trajectories remove.
+        Number of trace elements: segments of rays that trajectories remove.
     traces_error : float
         Standard error of `traces`.
     memory_bytes : float

@@ -8,11 +8,11 @@ The image is divided into tiles, and the tiles are divided into quarters repeate
 a list of the trajectories that can cut it, in the order in which they are cut. A trajectory that is dropped from a tile
 is also dropped from the tile's quarters. Each step computes with arrays of pairs of a tile and a trajectory, sorted by
 tile and then by trajectory. The computing time grows with the sum, not with the product, of the number of trajectories
-and the number of pieces that are removed from rays.
+and the number of segments that are removed from rays.
 
 A trajectory opens a ray to a depth if the trajectory removes the stock from the ray's near end to this depth. A
 trajectory opens a tile to a depth if the trajectory opens all rays of the tile to this depth. The culling drops only
-trajectories that remove nothing from the tile, so the pieces of all rays stay the same.
+trajectories that remove nothing from the tile, so the segments of all rays stay the same.
 """
 
 from __future__ import annotations

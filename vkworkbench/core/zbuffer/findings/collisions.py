@@ -3,14 +3,14 @@
 
 The parts of a tool above its flutes are called bodies; a body does not cut. A body collides where it meets material
 that the tool has not removed before. The collisions are found on vertical rays, in a simulation in which tools and
-bodies move alternately and bodies remove material as if they were tools. Each piece of a ray that a body removes is a
+bodies move alternately and bodies remove material as if they were tools. Each segment of a ray that a body removes is a
 collision. The rows of rays are rotated against the X and Y axes, because a row of rays parallel to a wall could miss a
 thin layer of the wall on all its rays.
 
 If the body moves before its tool, the simulation finds every collision, but also false collisions with material that
 the tool removes in the same move before the body arrives. Therefore the moves with such collisions are simulated again,
-divided into parts, and in each part the body moves after the tool. A piece of a ray that the body removes in the second
-simulation, too, is a real collision.
+divided into parts, and in each part the body moves after the tool. A segment of a ray that the body removes in the
+second simulation, too, is a real collision.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.findings.fine_rays import FineRays
-from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
+from vkworkbench.core.zbuffer.findings.removed_segments import RemovedSegments
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.sweeps.bodies import Alternation, Body, alternate, slimmer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
@@ -76,7 +76,7 @@ class Collision:
     source, last : Source
         Operation and command of the first and of the last trajectory that collides.
     place : (3,) tuple of float
-        Middle of the longest piece of a ray that the colliding part would remove in the first trajectory, mm.
+        Middle of the longest segment of a ray that the colliding part would remove in the first trajectory, mm.
     depth : float
         Largest height of material above the lower end of the colliding part, mm.
     clamp : str
@@ -257,7 +257,7 @@ class _Search:
     def _of_wider(
         self, cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, stock: Solid, pixels: np.ndarray
     ) -> _Removed:
-        """Return the pieces of rays that meet a shank or holder, because the tool has not removed them before.
+        """Return the segments of rays that meet a shank or holder, because the tool has not removed them before.
 
         The shanks and holders are wider than their tools.
         """
@@ -296,9 +296,9 @@ class _Search:
     def _removed(
         self, alternation: Alternation, solid: Solid, pixels: np.ndarray, of: np.ndarray | None = None
     ) -> _Removed:
-        """Return the pieces that bodies, in moves that alternate with tools, remove from rays through the solid.
+        """Return the segments that bodies, in moves that alternate with tools, remove from rays through the solid.
 
-        With a mask `of` (n,) bool of the job's trajectories, return the pieces that the tools remove in these
+        With a mask `of` (n,) bool of the job's trajectories, return the segments that the tools remove in these
         trajectories instead.
         """
         chosen = np.flatnonzero(alternation.of_body if of is None else of[alternation.trajectory])
@@ -310,7 +310,7 @@ class _Search:
             own = pixel == size
             rays = FineRays(moves, solid, size, _TURN)
             removed = rays.removed_by(chosen[own], radius[own], self._going_on)
-            found += [_Removed.by(pieces, alternation.trajectory) for pieces in removed]
+            found += [_Removed.by(segments, alternation.trajectory) for segments in removed]
             self.pixel = max(self.pixel, size)
         return _Removed.joined(found)
 
@@ -365,16 +365,16 @@ def _parts(wanted: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class _Removed:
-    """Pieces of rays that bodies (shanks and holders) would remove if they could cut.
+    """Segments of rays that bodies (shanks and holders) would remove if they could cut.
 
     Attributes
     ----------
     trajectory : (k,) int64
-        Trajectory of the job in which each piece is removed.
+        Trajectory of the job in which each segment is removed.
     lower, upper : (k, 3) float64
-        Lower and upper end of each piece, mm.
+        Lower and upper end of each segment, mm.
     height : (k,) float64
-        Height of the colliding material above the lower end of each piece, mm.
+        Height of the colliding material above the lower end of each segment, mm.
     """
 
     trajectory: np.ndarray
@@ -383,38 +383,38 @@ class _Removed:
     height: np.ndarray
 
     @classmethod
-    def by(cls, pieces: RemovedPieces, trajectory: np.ndarray) -> _Removed:
-        """Convert pieces removed by moves of a simulation to pieces removed by trajectories of the job.
+    def by(cls, segments: RemovedSegments, trajectory: np.ndarray) -> _Removed:
+        """Convert segments removed by moves of a simulation to segments removed by trajectories of the job.
 
-        `pieces` are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each move of the
+        `segments` are sorted by ray and depth. `trajectory` (n,) is the job's trajectory from which each move of the
         simulation was made.
         """
-        every = np.arange(len(pieces.owner))
-        # A body can have removed several pieces of a ray that lie directly below each other. The height of the
-        # colliding material is measured from the top of the highest of these pieces.
+        every = np.arange(len(segments.owner))
+        # A body can have removed several segments of a ray that lie directly below each other. The height of the
+        # colliding material is measured from the top of the highest of these segments.
         begins = np.ones(len(every), bool)
         begins[1:] = (
-            (np.diff(pieces.x) != 0) | (np.diff(pieces.y) != 0) | (pieces.near[1:] > pieces.far[:-1] + THINNEST)
+            (np.diff(segments.x) != 0) | (np.diff(segments.y) != 0) | (segments.near[1:] > segments.far[:-1] + THINNEST)
         )
-        top = pieces.near[np.flatnonzero(begins)][np.cumsum(begins) - 1] if len(every) else pieces.near
-        lower, upper = (pieces.points(every, depth) for depth in (pieces.far, pieces.near))
-        return cls(trajectory[pieces.owner], lower, upper, pieces.far - top)
+        top = segments.near[np.flatnonzero(begins)][np.cumsum(begins) - 1] if len(every) else segments.near
+        lower, upper = (segments.points(every, depth) for depth in (segments.far, segments.near))
+        return cls(trajectory[segments.owner], lower, upper, segments.far - top)
 
     @classmethod
     def joined(cls, parts: Sequence[_Removed]) -> _Removed:
-        """Join several sets of removed pieces of rays."""
+        """Join several sets of removed segments of rays."""
         nothing = cls(np.empty(0, np.int64), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
         columns = zip(*((one.trajectory, one.lower, one.upper, one.height) for one in (nothing, *parts)))
         return cls(*map(np.concatenate, columns))
 
     def is_by(self, trajectories: int) -> np.ndarray:
-        """Return whether each trajectory removes a piece of a ray, (trajectories,) bool."""
+        """Return whether each trajectory removes a segment of a ray, (trajectories,) bool."""
         found = np.zeros(trajectories, bool)
         found[self.trajectory] = True
         return found
 
     def within_holders(self, cuts: Cuts, bodies: Sequence[Body | None]) -> _Removed:
-        """Return the pieces of rays whose lower ends are below the upper ends of the holders."""
+        """Return the segments of rays whose lower ends are below the upper ends of the holders."""
         ends = [cut.tool.holder_length or np.inf for cut in cuts.cuts]
         tops = np.array([body.bottom + end if body else np.inf for body, end in zip(bodies, ends)])
         tip = np.minimum(*(points[:, 2] for points in cuts.ends))
@@ -422,13 +422,13 @@ class _Removed:
         return _Removed(self.trajectory[kept], self.lower[kept], self.upper[kept], self.height[kept])
 
     def collisions(self, cuts: Cuts, body: str, clamp: str = "") -> Iterator[Collision]:
-        """Yield one collision for each operation in which bodies (shanks or holders) remove pieces of rays."""
+        """Yield one collision for each operation in which bodies (shanks or holders) remove segments of rays."""
         cut = cuts.cut[self.trajectory]
         for number in np.unique(cut).tolist():
             own = np.flatnonzero(cut == number)
             first, last = int(self.trajectory[own].min()), int(self.trajectory[own].max())
-            pieces = own[self.trajectory[own] == first]
-            longest = pieces[np.argmax((self.upper - self.lower)[pieces, 2])]
+            segments = own[self.trajectory[own] == first]
+            longest = segments[np.argmax((self.upper - self.lower)[segments, 2])]
             x, y, z = ((self.lower[longest] + self.upper[longest]) / 2).tolist()
             tool = cuts.cuts[number].tool
             size = {FLUTES: tool.cutting_edge_height, LENGTH: tool.length}.get(body) or 0.0

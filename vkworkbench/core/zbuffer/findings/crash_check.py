@@ -13,7 +13,7 @@ from vkworkbench.core.solids import SMALLEST
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes_among, plunges_among, too_fast, touching
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
-from vkworkbench.core.zbuffer.findings.removed_pieces import joined
+from vkworkbench.core.zbuffer.findings.removed_segments import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 
@@ -159,14 +159,14 @@ class _Check:
         parts = list(rays.removed_by(moves, half_width, self._continue))
         if not parts:
             return
-        pieces, cuts = joined(parts), self.cuts
-        fast = self.fast[pieces.owner]
-        rapid = pieces.selected(~fast)
+        segments, cuts = joined(parts), self.cuts
+        fast = self.fast[segments.owner]
+        rapid = segments.selected(~fast)
         for crash in crashes_among(cuts, rapid, rapid.volumes(len(cuts))):
             self.crashes[crash.trajectory] = crash
         plunges = moves[self.fast[moves]]
         if len(plunges):
-            self.plunges += plunges_among(cuts, plunges, pieces.selected(fast))
+            self.plunges += plunges_among(cuts, plunges, segments.selected(fast))
 
     def _find_touch(self, rays: FineRays, moves: np.ndarray, half_width: np.ndarray) -> None:
         """Find the crashes among the moves `moves` (k,).
@@ -174,9 +174,9 @@ class _Check:
         When a move has crashed once, it is not examined any further.
         """
         removed = np.zeros(len(self.cuts))
-        for pieces in rays.removed_by(moves, half_width, self._continue):
-            removed += pieces.volumes(len(self.cuts))
-            found = crashes_among(self.cuts, pieces, removed)
+        for segments in rays.removed_by(moves, half_width, self._continue):
+            removed += segments.volumes(len(self.cuts))
+            found = crashes_among(self.cuts, segments, removed)
             for crash in found:
                 self.crashes.setdefault(crash.trajectory, crash)
             rays.forget(np.array([crash.trajectory for crash in found], np.int64))

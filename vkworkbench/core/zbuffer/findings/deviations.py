@@ -231,16 +231,16 @@ def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behi
     """
     records = zbuffer.records
     end = records.index[pixels + 1].astype(np.int64)
-    piece = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
-    found = np.flatnonzero(piece < end)
-    piece, end, depth, behind = piece[found], end[found], depth[found], behind[found]
+    segment = first_not_below(records.far, records.index[pixels].astype(np.int64), end, depth)
+    found = np.flatnonzero(segment < end)
+    segment, end, depth, behind = segment[found], end[found], depth[found], behind[found]
     # A gap in the stock contains no material; the next material begins at the far end of the gap.
-    gap = records.owner[piece] == GAP
-    begin = np.where(gap, records.far[piece], np.maximum(depth, records.entry[pixels[found]]))
+    gap = records.owner[segment] == GAP
+    begin = np.where(gap, records.far[segment], np.maximum(depth, records.entry[pixels[found]]))
     lacking = (begin > depth) & (begin >= behind)
-    piece = np.minimum(piece + gap, end - 1)
+    segment = np.minimum(segment + gap, end - 1)
     removers = np.full(len(pixels), STOCK, np.int32)
-    removers[found] = np.where(lacking, STOCK, records.owner[piece])
+    removers[found] = np.where(lacking, STOCK, records.owner[segment])
     removers[removers >= zbuffer.step] = STOCK
     return removers
 

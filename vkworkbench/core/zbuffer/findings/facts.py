@@ -81,9 +81,9 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
 def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.ndarray, np.ndarray]:
     """Return the depth and width of cut of each trajectory.
 
-    The depth is the height of the tallest piece that the trajectory removes from a ray. The width is the removed volume
-    divided by the depth and by the move's horizontal length, but at most the tool's diameter. The width of a plunge is
-    0.
+    The depth is the height of the tallest segment that the trajectory removes from a ray. The width is the removed
+    volume divided by the depth and by the move's horizontal length, but at most the tool's diameter. The width of a
+    plunge is 0.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.nd
 
 
 def _depths_in(zbuffer: ZBuffer) -> np.ndarray:
-    """Return the height of the tallest piece that each trajectory removes from a ray, (n,) mm.
+    """Return the height of the tallest segment that each trajectory removes from a ray, (n,) mm.
 
     The heights are 0 in a view from the side.
     """
@@ -120,8 +120,10 @@ def _depths_in(zbuffer: ZBuffer) -> np.ndarray:
     if steep < _FROM_THE_SIDE:
         return depth
     for _, _, block in zbuffer.records.blocks():
-        pieces = np.flatnonzero(block.cut)
-        np.maximum.at(depth, block.owner[pieces], (block.far[pieces].astype(float) - block.near()[pieces]) * steep)
+        segments = np.flatnonzero(block.cut)
+        np.maximum.at(
+            depth, block.owner[segments], (block.far[segments].astype(float) - block.near()[segments]) * steep
+        )
     return depth
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.findings.facts import removed_volumes
-from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, pieces_of
+from vkworkbench.core.zbuffer.findings.removed_segments import RemovedSegments, segments_of
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
@@ -48,9 +48,9 @@ class Crash:
     source : Source
         Operation and command of the trajectory.
     place : (3,) tuple of float
-        Middle of the longest piece of a ray that the rapid removes, mm.
+        Middle of the longest segment of a ray that the rapid removes, mm.
     depth : float
-        Length of the longest removed piece along the view, mm.
+        Length of the longest removed segment along the view, mm.
     volume : float
         Volume that the rapid removes, mm^3.
     """
@@ -75,40 +75,40 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     list of Crash
         The crashes, sorted by trajectory.
     """
-    return crashes_among(zbuffer.cuts, pieces_of(zbuffer, zbuffer.cuts.rapid), removed_volumes(zbuffer))
+    return crashes_among(zbuffer.cuts, segments_of(zbuffer, zbuffer.cuts.rapid), removed_volumes(zbuffer))
 
 
-def crashes_among(cuts: Cuts, pieces: RemovedPieces, volumes: np.ndarray) -> list[Crash]:
+def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray) -> list[Crash]:
     """Return the rapids that remove material and do not only touch it.
 
     Parameters
     ----------
-    pieces : RemovedPieces
-        Pieces of rays that rapids remove, without pieces that other moves remove.
+    segments : RemovedSegments
+        Segments of rays that rapids remove, without segments that other moves remove.
     volumes : (n,) ndarray
         Volume that each trajectory removes, mm^3.
     """
-    if len(pieces.owner) == 0:
+    if len(segments.owner) == 0:
         return []
-    owner, middle, length = pieces.owner, (pieces.near + pieces.far) / 2, pieces.far - pieces.near
+    owner, middle, length = segments.owner, (segments.near + segments.far) / 2, segments.far - segments.near
     touches = touching(cuts)
-    # The longest pieces that each rapid removes are examined first. A rapid that only touches a wall can also remove
-    # long pieces, as high as the wall. Therefore the pieces of each rapid are examined until one piece is inside the
-    # rapid's swept volume by more than the depth that counts as touching.
+    # The longest segments that each rapid removes are examined first. A rapid that only touches a wall can also remove
+    # long segments, as high as the wall. Therefore the segments of each rapid are examined until one segment is inside
+    # the rapid's swept volume by more than the depth that counts as touching.
     order = np.argsort(-length, kind="stable")
     longest = np.full(len(cuts), -1)
     for first in range(0, len(order), _PIECES_AT_ONCE):
         some = order[first : first + _PIECES_AT_ONCE]
         some = some[longest[owner[some]] < 0]
         if len(some):
-            ends = pieces.upper[some], middle[some]
-            upper_in, middle_in = (_inside(cuts, owner[some], pieces.points(some, depth), touches) for depth in ends)
+            ends = segments.upper[some], middle[some]
+            upper_in, middle_in = (_inside(cuts, owner[some], segments.points(some, depth), touches) for depth in ends)
             some = some[upper_in | middle_in]
             crashed, position = np.unique(owner[some], return_index=True)
             longest[crashed] = some[position]
     crashed = np.flatnonzero(longest >= 0)
     longest = longest[crashed]
-    places = pieces.points(longest, middle[longest])
+    places = segments.points(longest, middle[longest])
     return [
         Crash(trajectory, cuts.source(trajectory), tuple(at), depth, float(volumes[trajectory]))
         for trajectory, at, depth in zip(crashed.tolist(), places.tolist(), length[longest].tolist())
@@ -190,7 +190,7 @@ def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:
     """
     cuts = zbuffer.cuts
     fast = too_fast(cuts) & (removed_volumes(zbuffer) > 0)
-    return plunges_among(cuts, np.flatnonzero(fast), pieces_of(zbuffer, fast)) if fast.any() else []
+    return plunges_among(cuts, np.flatnonzero(fast), segments_of(zbuffer, fast)) if fast.any() else []
 
 
 def too_fast(cuts: Cuts) -> np.ndarray:
@@ -202,20 +202,20 @@ def too_fast(cuts: Cuts) -> np.ndarray:
     return result
 
 
-def plunges_among(cuts: Cuts, plunges: np.ndarray, pieces: RemovedPieces) -> list[Plunge]:
+def plunges_among(cuts: Cuts, plunges: np.ndarray, segments: RemovedSegments) -> list[Plunge]:
     """Return the fast plunges that go into full material.
 
-    `plunges` (k,) are the trajectories of all fast plunges, and `pieces` are the pieces that these plunges remove.
+    `plunges` (k,) are the trajectories of all fast plunges, and `segments` are the segments that these plunges remove.
     """
     start, end = (ends[plunges] for ends in cuts.ends)
     # Depth of the plunge's end below the highest point that the plunge removes, but at most the height of the plunge.
-    depth = np.minimum(pieces.tops(len(cuts))[plunges], start[:, 2]) - end[:, 2]
+    depth = np.minimum(segments.tops(len(cuts))[plunges], start[:, 2]) - end[:, 2]
     displaced = np.empty(len(plunges))
     of_cut = cuts.cut[plunges]
     for number in np.unique(of_cut):
         own = of_cut == number
         displaced[own] = _displaced_volume(cuts.cuts[number].tool, depth[own])
-    volumes, allowed = pieces.volumes(len(cuts))[plunges], _vertical_feeds(cuts)[plunges]
+    volumes, allowed = segments.volumes(len(cuts))[plunges], _vertical_feeds(cuts)[plunges]
     return [
         Plunge(int(plunges[i]), cuts.source(int(plunges[i])), tuple(end[i].tolist()),
                float(cuts.feed[plunges[i]]), float(allowed[i]))

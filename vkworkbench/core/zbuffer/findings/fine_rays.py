@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the pieces that selected trajectories remove from closely spaced rays.
+"""Find the segments that selected trajectories remove from closely spaced rays.
 
 The rays are the pixels of an image of the whole stock. The image of the whole stock can have billions of pixels, so
 only the tiles along the chosen trajectories are cut. Each tile is cut by all trajectories up to the last chosen
@@ -18,7 +18,7 @@ from vkworkbench.core.tool import Tool
 from vkworkbench.core.view import Frame, View
 from vkworkbench.core.zbuffer.culling.tiles import TILE, Tiles, divided, first_tiles
 from vkworkbench.core.zbuffer.culling.upright import Upright
-from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
+from vkworkbench.core.zbuffer.findings.removed_segments import RemovedSegments, joined
 from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST, beginnings
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
@@ -30,7 +30,7 @@ RAYS_ACROSS = 8
 # number of moves in one batch. With larger batches, a check exceeds its time limit by more, because the elapsed time is
 # checked only between batches. With smaller batches, a check takes longer in total.
 _TOGETHER, _MOVES = 4000.0, 256
-_BLOCKS = 16  # number of batches of small tiles after which the removed pieces of rays are yielded
+_BLOCKS = 16  # number of batches of small tiles after which the removed segments of rays are yielded
 
 
 class FineRays:
@@ -58,8 +58,8 @@ class FineRays:
 
     def removed_by(
         self, chosen: np.ndarray, half_width: np.ndarray, going_on: Callable[[], None]
-    ) -> Iterator[RemovedPieces]:
-        """Yield the pieces that the chosen trajectories remove.
+    ) -> Iterator[RemovedSegments]:
+        """Yield the segments that the chosen trajectories remove.
 
         Parameters
         ----------
@@ -82,8 +82,8 @@ class FineRays:
 
     def removed_near(
         self, marked: np.ndarray, frame: Frame, chosen: np.ndarray, going_on: Callable[[], None]
-    ) -> Iterator[RemovedPieces]:
-        """Yield the pieces that the chosen trajectories remove in the marked pixels of an image with larger pixels.
+    ) -> Iterator[RemovedSegments]:
+        """Yield the segments that the chosen trajectories remove in the marked pixels of an image with larger pixels.
 
         Parameters
         ----------
@@ -111,7 +111,7 @@ class FineRays:
 
     def _removed_in(
         self, tiles: Tiles, needed: Callable[[Tiles], Tiles], going_on: Callable[[], None]
-    ) -> Iterator[RemovedPieces]:
+    ) -> Iterator[RemovedSegments]:
         found = []
         for small, _ in divided(self.trajectories, self._bounds, tiles, needed):
             going_on()
@@ -123,7 +123,7 @@ class FineRays:
             yield joined(found)
 
     def forget(self, trajectories: np.ndarray) -> None:
-        """Stop yielding the pieces that the given trajectories (k,) remove."""
+        """Stop yielding the segments that the given trajectories (k,) remove."""
         self._wanted[np.searchsorted(self.trajectories.index, trajectories)] = False
 
     def _tiles_along(self, item: np.ndarray, half_width: np.ndarray) -> Tiles:
@@ -154,7 +154,7 @@ class FineRays:
         return first_tiles(self.trajectories, side, column * side, row * side)
 
     def _needed(self, tiles: Tiles) -> Tiles:
-        """Return the tiles that a trajectory whose pieces are still to be yielded (a wanted trajectory) can cut.
+        """Return the tiles that a trajectory whose segments are still to be yielded (a wanted trajectory) can cut.
 
         From the list of each tile, the trajectories after the last wanted trajectory are dropped.
         """
@@ -166,8 +166,8 @@ class FineRays:
         first = np.append(0, np.cumsum(count[used]))
         return Tiles(tiles.side, tiles.column[used], tiles.row[used], first, tiles.item[kept])
 
-    def _cut(self, tiles: Tiles) -> RemovedPieces:
-        """Cut the rays of small tiles; return the pieces that the wanted trajectories remove."""
+    def _cut(self, tiles: Tiles) -> RemovedSegments:
+        """Cut the rays of small tiles; return the segments that the wanted trajectories remove."""
         trajectories, frame = self.trajectories, self.trajectories.frame
         shape = tiles.side, tiles.side, len(tiles.column)
         column, row = tiles.pixels()
@@ -185,13 +185,13 @@ class FineRays:
         ray = np.repeat(np.arange(len(begin)), np.diff(begin, append=len(number)))
         if enter is None:
             enter = np.full(len(hit), -np.inf)
-        pieces = cut_rays(near[met], far[met], ray, tiles.item[pair], enter, leave, gaps_of(gaps, met))
-        # Skip gaps in the stock and pieces that no trajectory removes.
-        cut = np.flatnonzero((pieces.owner >= 0) & (pieces.owner < len(self._wanted)))
-        cut = cut[self._wanted[pieces.owner[cut]]]
-        own = met[pieces.ray[cut]]
-        return RemovedPieces(
-            frame, trajectories.index[pieces.owner[cut]], x[own], y[own], pieces.near[cut], pieces.far[cut]
+        segments = cut_rays(near[met], far[met], ray, tiles.item[pair], enter, leave, gaps_of(gaps, met))
+        # Skip gaps in the stock and segments that no trajectory removes.
+        cut = np.flatnonzero((segments.owner >= 0) & (segments.owner < len(self._wanted)))
+        cut = cut[self._wanted[segments.owner[cut]]]
+        own = met[segments.ray[cut]]
+        return RemovedSegments(
+            frame, trajectories.index[segments.owner[cut]], x[own], y[own], segments.near[cut], segments.far[cut]
         )
 
 

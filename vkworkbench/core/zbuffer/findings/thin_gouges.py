@@ -18,7 +18,7 @@ from vkworkbench.core.view import Frame
 from vkworkbench.core.zbuffer.findings.connected import connected_cells, connected_pairs, members
 from vkworkbench.core.zbuffer.findings.deviations import TOLERANCE, Deviation
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
-from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces, joined
+from vkworkbench.core.zbuffer.findings.removed_segments import RemovedSegments, joined
 from vkworkbench.core.zbuffer.findings.seen_model import SeenModel
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
@@ -42,9 +42,9 @@ _WIDER, _ALIKE, _IN_STEPS = 1.1, 1.02, (1, 8, 64)
 # Side of the grid cells by which points are grouped, as a multiple of the distance between neighbouring points. Points
 # in the same cell or in neighbouring cells belong to one gouge.
 _CLOSE = 4.0
-# Approximate upper bounds for the number of points at which removed pieces are compared with the model. _POINTS: number
-# of points in one batch of removed pieces. _OF_OWNER: number of points in pieces of one batch that one trajectory
-# removed.
+# Approximate upper bounds for the number of points at which removed segments are compared with the model. _POINTS:
+# number of points in one batch of removed segments. _OF_OWNER: number of points in segments of one batch that one
+# trajectory removed.
 _POINTS, _OF_OWNER = 20_000, 2000
 # Approximate upper bound for the number of points at which the depth of one gouge is measured.
 _MEASURED = 200
@@ -125,8 +125,8 @@ def thin_gouges(
                 if time.monotonic() > end:
                     unchecked += [numbered.source(int(move)) for move in moves[own[part]]]
                 else:
-                    for pieces in rays.removed_by(moves[own[part]], half_width[own[part]], going_on):
-                        search.add(pieces)
+                    for segments in rays.removed_by(moves[own[part]], half_width[own[part]], going_on):
+                        search.add(segments)
         if search:
             found += search.gouges(numbered)
     in_walls, complete = _gouges_in_walls(numbered, stock, seen, tolerance, thin, end, going_on)
@@ -160,10 +160,10 @@ def _gouges_in_walls(
         for number in others
     }
     chosen = np.isin(cuts.cut, others)
-    for pieces in rays.removed_near(seen.walls(tolerance), seen.frame, chosen, going_on):
-        of_cut = cuts.cut[pieces.owner]
+    for segments in rays.removed_near(seen.walls(tolerance), seen.frame, chosen, going_on):
+        of_cut = cuts.cut[segments.owner]
         for number in np.unique(of_cut).tolist():
-            searches[number].add(pieces.selected(of_cut == number))
+            searches[number].add(segments.selected(of_cut == number))
         if time.monotonic() > end:
             complete = False
             break
@@ -188,19 +188,19 @@ class _Search:
 
     def __init__(self, model: Solid, frame: Frame, least: float, going_on: Callable[[], None]) -> None:
         self._least, self._model, self._going_on = least, spans_in(model, frame), going_on
-        self._found: list[tuple[RemovedPieces, np.ndarray, np.ndarray]] = []
+        self._found: list[tuple[RemovedSegments, np.ndarray, np.ndarray]] = []
 
-    def add(self, pieces: RemovedPieces) -> None:
-        """Find the removed pieces that are too deep in the model, and store these pieces."""
-        spans = self._model(pieces.x, pieces.y)
-        inside = (spans.far > spans.near) & (pieces.near < spans.far) & (pieces.far > spans.near)
-        along = np.minimum(pieces.far, spans.far) - spans.near
+    def add(self, segments: RemovedSegments) -> None:
+        """Find the removed segments that are too deep in the model, and store these segments."""
+        spans = self._model(segments.x, segments.y)
+        inside = (spans.far > spans.near) & (segments.near < spans.far) & (segments.far > spans.near)
+        along = np.minimum(segments.far, spans.far) - spans.near
         deep = np.flatnonzero(inside & (along > self._least))
-        deep, every = _thinned(deep, pieces.owner)
-        gouged = self._distances(pieces, deep, along[deep], self._least * _SHARES, self._least) > self._least
+        deep, every = _thinned(deep, segments.owner)
+        gouged = self._distances(segments, deep, along[deep], self._least * _SHARES, self._least) > self._least
         if gouged.any():
             chosen = deep[gouged]
-            self._found.append((pieces.selected(chosen), along[chosen], every[gouged] * pieces.frame.pixel**2))
+            self._found.append((segments.selected(chosen), along[chosen], every[gouged] * segments.frame.pixel**2))
 
     def gouges(self, cuts: Cuts) -> list[Deviation]:
         """Return the gouges to which the stored points belong.
@@ -210,41 +210,43 @@ class _Search:
         if not self._found:
             return []
         parts, along, area = zip(*self._found)
-        pieces, along, area = joined(parts), np.concatenate(along), np.concatenate(area)
-        order = np.argsort(pieces.owner, kind="stable")
+        segments, along, area = joined(parts), np.concatenate(along), np.concatenate(area)
+        order = np.argsort(segments.owner, kind="stable")
         stretch = np.empty(len(order), np.int64)
-        stretch[order] = np.cumsum(np.diff(pieces.owner[order], prepend=pieces.owner[order[0]]) > 1)
+        stretch[order] = np.cumsum(np.diff(segments.owner[order], prepend=segments.owner[order[0]]) > 1)
         # A stretch is a sequence of consecutive trajectories with stored points. Stretches are one gouge if their
         # points lie in connected cells.
         side = _CLOSE * np.sqrt(area.max())
-        cells = connected_cells(*(np.floor(place / side).astype(np.int64) for place in (pieces.y, pieces.x)))
+        cells = connected_cells(*(np.floor(place / side).astype(np.int64) for place in (segments.y, segments.x)))
         stretches = int(stretch.max()) + 1
         gouge = connected_pairs(stretch, stretches + cells, stretches + len(cells))[stretch]
-        return [self._gouge(cuts, pieces, group, along, float(area[group].sum())) for group in members(gouge)]
+        return [self._gouge(cuts, segments, group, along, float(area[group].sum())) for group in members(gouge)]
 
-    def _gouge(self, cuts: Cuts, pieces: RemovedPieces, group: np.ndarray, along: np.ndarray, area: float) -> Deviation:
+    def _gouge(
+        self, cuts: Cuts, segments: RemovedSegments, group: np.ndarray, along: np.ndarray, area: float
+    ) -> Deviation:
         some = group[:: 1 + len(group) // _MEASURED]
         some = some[np.argsort(-along[some], kind="stable")]
         steps = int(np.ceil(np.log(along[some[0]] / self._least) / np.log(_WIDER))) + 1
         radii, worst, depth = self._least * _WIDER ** np.arange(steps), some[:1], 0.0
         for own in np.split(some, _IN_STEPS):
             floor = _ALIKE * depth
-            distances = self._distances(pieces, own, along[own], radii, floor)
+            distances = self._distances(segments, own, along[own], radii, floor)
             if distances.max(initial=0.0) > floor:
                 worst, depth = own[[distances.argmax()]], float(distances.max())
-        first, last = int(pieces.owner[group].min()), int(pieces.owner[group].max())
-        (place,) = pieces.points(worst, pieces.far[worst]).tolist()
+        first, last = int(segments.owner[group].min()), int(segments.owner[group].max())
+        (place,) = segments.points(worst, segments.far[worst]).tolist()
         return Deviation(first, cuts.source(first), tuple(place), depth, area, cuts.source(last))
 
     def _distances(
-        self, pieces: RemovedPieces, some: np.ndarray, along: np.ndarray, radii: np.ndarray, floor: float
+        self, segments: RemovedSegments, some: np.ndarray, along: np.ndarray, radii: np.ndarray, floor: float
     ) -> np.ndarray:
-        """Return the distance of each piece's lower end from the space outside the model's surface, (k,) mm.
+        """Return the distance of each segment's lower end from the space outside the model's surface, (k,) mm.
 
-        The model's surface is searched on circles with the radii `radii`, mm, around each piece. If the exact distance
-        is at most `floor`, mm, the returned value is only known to be at most `floor`.
+        The model's surface is searched on circles with the radii `radii`, mm, around each segment. If the exact
+        distance is at most `floor`, mm, the returned value is only known to be at most `floor`.
         """
-        least, depth = along.copy(), pieces.far[some]
+        least, depth = along.copy(), segments.far[some]
         for radius in radii.tolist():
             # A circle whose radius exceeds the distance found so far cannot reduce this distance.
             (searched,) = np.nonzero(least > max(radius, floor))
@@ -253,7 +255,7 @@ class _Search:
                 own = searched[begin : begin + _TOGETHER]
                 x, y = (
                     np.add.outer(radius * direction, place[some[own]]).ravel()
-                    for direction, place in zip(_DIRECTIONS, (pieces.x, pieces.y))
+                    for direction, place in zip(_DIRECTIONS, (segments.x, segments.y))
                 )
                 spans = self._model(x, y)
                 surface = np.where(spans.far > spans.near, spans.near, np.inf).reshape(-1, len(own)).max(axis=0)
@@ -262,9 +264,9 @@ class _Search:
 
 
 def _thinned(deep: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a selection of the pieces `deep` (k,), and the number of pieces for which each selected piece stands.
+    """Select some of the segments `deep` (k,), and return how many segments each selected segment represents.
 
-    Every n-th piece of each trajectory is selected, so that the time for a large gouge is limited.
+    Every n-th segment of each trajectory is selected, so that the time for a large gouge is limited.
     """
     every = 1 + len(deep) // _POINTS
     deep = deep[::every]

@@ -18,7 +18,7 @@ import numpy as np
 
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.zbuffer.findings.fine_rays import FineRays, half_widths
-from vkworkbench.core.zbuffer.findings.removed_pieces import RemovedPieces
+from vkworkbench.core.zbuffer.findings.removed_segments import RemovedSegments
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts
 from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 
@@ -48,7 +48,7 @@ class Volumes:
     each : (n,) float64
         Volume that each trajectory removes, mm^3.
     depths : (n,) float64
-        Height of the tallest piece that each trajectory removes from a ray, mm.
+        Height of the tallest segment that each trajectory removes from a ray, mm.
     images : (4, cuts) float64
         Volume that each operation removes in each image, mm^3.
     parts : (n + 1,) int64
@@ -105,15 +105,15 @@ def measure_volumes(
         moves, half_width, pixel = _strips(numbered, number, stock)
         for image, turn in enumerate(_TURNS if len(moves) else ()):
             rays = FineRays(numbered, stock, pixel, turn)
-            for pieces in rays.removed_by(moves, half_width, going_on):
+            for segments in rays.removed_by(moves, half_width, going_on):
                 if time.monotonic() > end:
                     return None
-                volumes = pieces.volumes(len(numbered))
-                part = _part_of(rays, pieces, parts)
-                of_parts += np.bincount(part, pieces.far - pieces.near, len(of_parts)) * pixel**2 / len(_TURNS)
+                volumes = segments.volumes(len(numbered))
+                part = _part_of(rays, segments, parts)
+                of_parts += np.bincount(part, segments.far - segments.near, len(of_parts)) * pixel**2 / len(_TURNS)
                 each += volumes / len(_TURNS)
-                deep = pieces.far - pieces.near
-                np.maximum.at(depths, pieces.owner, deep)
+                deep = segments.far - segments.near
+                np.maximum.at(depths, segments.owner, deep)
                 largest[number] = max(largest[number], float(deep.max(initial=0.0)) * pixel**2)
                 images[image, number] += volumes.sum()
     return Volumes(each, depths, images, parts, of_parts, largest)
@@ -127,16 +127,16 @@ def _parts(cuts: Cuts) -> np.ndarray:
     return np.append(0, np.cumsum(np.clip(count, 1, _PARTS))).astype(np.int64)
 
 
-def _part_of(rays: FineRays, pieces: RemovedPieces, parts: np.ndarray) -> np.ndarray:
-    """Return, for each piece of a ray, the part of the move during which the tool's front removes it, (k,) int64."""
+def _part_of(rays: FineRays, segments: RemovedSegments, parts: np.ndarray) -> np.ndarray:
+    """Return, for each segment of a ray, the part of the move during which the tool's front removes it, (k,) int64."""
     trajectories = rays.trajectories
-    item = np.searchsorted(trajectories.index, pieces.owner)
+    item = np.searchsorted(trajectories.index, segments.owner)
     (x, y, _), (ux, uy, run, _) = trajectories.start[:, item], trajectories.heading[:, item]
-    along, aside = (pieces.x - x) * ux + (pieces.y - y) * uy, (pieces.y - y) * ux - (pieces.x - x) * uy
+    along, aside = (segments.x - x) * ux + (segments.y - y) * uy, (segments.y - y) * ux - (segments.x - x) * uy
     along -= np.sqrt(np.maximum(trajectories.radius[item] ** 2 - aside**2, 0.0))
-    count = parts[pieces.owner + 1] - parts[pieces.owner]
+    count = parts[segments.owner + 1] - parts[segments.owner]
     number = np.floor(along / np.where(run > 0, run, 1.0) * count).astype(np.int64)
-    result: np.ndarray = parts[pieces.owner] + np.clip(number, 0, count - 1)
+    result: np.ndarray = parts[segments.owner] + np.clip(number, 0, count - 1)
     return result
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Estimate the numbers of dexels and trace elements of a simulation from a few hundred rays.
 
-A dexel is a piece of a ray inside the part. A trace element is a piece of a ray that a trajectory removes. The sampled
-rays are simulated exactly.
+A dexel is a segment of a ray inside the part. A trace element is a segment of a ray that a trajectory removes. The
+sampled rays are simulated exactly.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from vkworkbench.core.zbuffer.culling.tiles import TILE
 from vkworkbench.core.zbuffer.memory.sampling import sample
 from vkworkbench.core.zbuffer.memory.silhouette import seen_areas
-from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Pieces
+from vkworkbench.core.zbuffer.rays.dexels import UNCUT, Segments
 from vkworkbench.core.zbuffer.rays.records import GAP
 from vkworkbench.core.zbuffer.rays.removal import Removal
 
@@ -29,8 +29,8 @@ class Counts:
     Attributes
     ----------
     stock, gaps : float
-        Number of dexels of the uncut stock, and number of pieces of rays in gaps in the stock. Each piece of a ray in a
-        gap is stored as a record.
+        Number of dexels of the uncut stock, and number of segments of rays in gaps in the stock. Each segment of a ray
+        in a gap is stored as a record.
     dexels : float
         Number of dexels at the end of the simulation.
     traces, traces_error : float
@@ -80,11 +80,11 @@ def count(removal: Removal) -> Counts:
     frame = removal.frame
     rng = np.random.default_rng(_SEED)
     rays = sample(removal, rng)
-    pieces, passes = removal.cut(rays.x, rays.y)
+    segments, passes = removal.cut(rays.x, rays.y)
     # In the uncut stock, a ray has one dexel, and one additional dexel for every gap in the stock.
-    held = np.bincount(pieces.ray, minlength=len(rays.x))
-    empty = np.bincount(pieces.ray[pieces.owner == GAP], minlength=len(rays.x))
-    parts = np.bincount(pieces.ray[pieces.owner == UNCUT], minlength=len(rays.x))
+    held = np.bincount(segments.ray, minlength=len(rays.x))
+    empty = np.bincount(segments.ray[segments.owner == GAP], minlength=len(rays.x))
+    parts = np.bincount(segments.ray[segments.owner == UNCUT], minlength=len(rays.x))
     cuts = held - empty - parts
     first = empty + (held > 0)
     per_area = 1 / frame.pixel**2
@@ -96,7 +96,7 @@ def count(removal: Removal) -> Counts:
     more = max(more, -covered)  # rounding errors must not make the number of dexels negative
     traces, error = rays.total(cuts)
     passed, _ = rays.total(passes)
-    unconnected, _ = rays.total(passes * _unconnected(pieces, len(rays.x)))
+    unconnected, _ = rays.total(passes * _unconnected(segments, len(rays.x)))
     band = np.floor((rays.y / frame.pixel + frame.height / 2) / TILE).astype(np.int64)
     bands = np.bincount(np.maximum(band, 0), held * rays.area, minlength=1)
     return Counts(
@@ -113,14 +113,14 @@ def count(removal: Removal) -> Counts:
     )
 
 
-def _unconnected(pieces: Pieces, rays: int) -> np.ndarray:
+def _unconnected(segments: Segments, rays: int) -> np.ndarray:
     """Return whether the removed intervals of each ray are not connected, (rays,) bool.
 
-    The removed intervals of a ray are not connected if a piece between two other pieces was removed later than both, so
-    that its owner (the removing trajectory) is greater than both neighbours' owners. A piece that no trajectory removes
-    has the greatest owner, `UNCUT`.
+    The removed intervals of a ray are not connected if a segment between two other segments was removed later than
+    both, so that its owner (the removing trajectory) is greater than both neighbours' owners. A segment that no
+    trajectory removes has the greatest owner, `UNCUT`.
     """
-    owner, ray = pieces.owner, pieces.ray
+    owner, ray = segments.owner, segments.ray
     peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))
     found: np.ndarray = np.bincount(ray[peak], minlength=rays) > 0
     return found

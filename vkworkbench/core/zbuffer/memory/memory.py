@@ -28,7 +28,7 @@ _BAND_ABOVE, _BAND_CLOSED, _BAND = 14e6, 20e6, 42e6
 # views with a smaller cosine, which are more from the side, each ray meets so many trajectories that closed forms save
 # no memory.
 _STEEP = 0.5
-# Memory for each trajectory (_TRAJECTORY), and for each record (piece of a ray) while the records of its band are
+# Memory for each trajectory (_TRAJECTORY), and for each record (segment of a ray) while the records of its band are
 # assembled (_BAND_RECORD), bytes.
 _TRAJECTORY = 460.0
 _BAND_RECORD = 13.0
@@ -88,9 +88,9 @@ class Peak:
     Attributes
     ----------
     records, traces : float
-        Upper bound of the number of all pieces of rays, and upper bound of the number of removed pieces.
+        Upper bound of the number of all segments of rays, and upper bound of the number of removed segments.
     stock : float
-        Number of pieces on all rays through the uncut stock.
+        Number of segments on all rays through the uncut stock.
     band : float
         Number of dexels, trace elements and gaps in the fullest band (`TILE` rows of pixels) of the image.
     pixels : int
@@ -245,8 +245,8 @@ def _most_records(removal: Removal) -> float:
     across = np.minimum(right, half[0]) - np.maximum(left, -half[0]) + 1
     up = np.minimum(top, half[1]) - np.maximum(bottom, -half[1]) + 1
     passes = float((np.maximum(across, 0) * np.maximum(up, 0)).sum())
-    # An interval that is removed from inside a piece turns one piece into three, so the interval adds two records
-    # (pieces of rays). In a vertical view, each interval reaches one end of the ray, so the interval adds one record.
+    # An interval that is removed from inside a segment turns one segment into three, so the interval adds two records
+    # (segments of rays). In a vertical view, each interval reaches one end of the ray, so the interval adds one record.
     return (1 if removal.sine == 0 else 2) * passes + frame.width * frame.height
 
 

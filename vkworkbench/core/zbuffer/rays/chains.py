@@ -4,8 +4,8 @@
 Each trajectory removes an interval of a ray. Consecutive trajectories usually touch material that is already removed,
 so on most rays every interval touches or overlaps the gap that earlier intervals have cut. On a ray with connected
 intervals, the gap only grows, at its near end, at its far end or at both ends. The stretch by which a trajectory makes
-the gap longer at one end is called a growth; each growth is a piece. The running minimum of the entry depths and the
-running maximum of the exit depths give all pieces of a ray with one gap. Rays with several separate gaps are cut by
+the gap longer at one end is called a growth; each growth is a segment. The running minimum of the entry depths and the
+running maximum of the exit depths give all segments of a ray with one gap. Rays with several separate gaps are cut by
 `dexels.first_cuts`.
 """
 
@@ -20,7 +20,7 @@ from vkworkbench.core.zbuffer.rays.dexels import (
     NO_DEEPER,
     THINNEST,
     UNCUT,
-    Pieces,
+    Segments,
     before_in_group,
     beginnings,
     first_cuts,
@@ -46,8 +46,8 @@ def cut_rays(
     enter: np.ndarray,
     leave: np.ndarray,
     gaps: Gaps | None = None,
-) -> Pieces:
-    """Divide rays into pieces by the intervals that a sequence of trajectories removes.
+) -> Segments:
+    """Divide rays into segments by the intervals that a sequence of trajectories removes.
 
     Parameters
     ----------
@@ -60,12 +60,12 @@ def cut_rays(
     enter, leave : (m,) ndarray
         Depths at which each interval begins and ends, mm.
     gaps : Gaps, optional
-        Stretches of the rays between two parts of the stock; they are returned as pieces with the owner `GAP`.
+        Stretches of the rays between two parts of the stock; they are returned as segments with the owner `GAP`.
 
     Returns
     -------
-    Pieces
-        The pieces of all rays, including the rays that no trajectory cuts.
+    Segments
+        The segments of all rays, including the rays that no trajectory cuts.
     """
     if gaps is not None and len(gaps.ray):
         ray, trajectory, enter, leave = _with_gaps_first(gaps, ray, trajectory, enter, leave)
@@ -111,13 +111,13 @@ def removing_intervals(
 
 def cut_by_removing(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, enter: np.ndarray, leave: np.ndarray
-) -> Pieces:
+) -> Segments:
     """Cut rays by intervals that are inside the stock and longer than THINNEST.
 
     The function is faster if `removing_intervals` has selected the intervals.
     """
     if not (enter > near.take(ray)).any():
-        return _pieces_from_near_end(near, far, ray, trajectory, leave)
+        return _segments_from_near_end(near, far, ray, trajectory, leave)
     offset = ray * (far.max() - near.min() + 1)
     start = beginnings(ray)
     # For each interval, `open_near` and `open_far` are the ends of the gap that the ray's earlier intervals have cut.
@@ -129,7 +129,7 @@ def cut_by_removing(
     apart = (enter + offset > open_far) | (leave - offset < open_near)
     first = _marked(len(ray), start)
     if not apart.any():
-        return _pieces_of_growing_gaps(near, far, _Intervals(ray, trajectory, enter, leave), first, nearer, farther)
+        return _segments_of_growing_gaps(near, far, _Intervals(ray, trajectory, enter, leave), first, nearer, farther)
     scattered = np.zeros(len(near), bool)
     scattered[ray[apart]] = True
     loose = scattered[ray]
@@ -141,7 +141,7 @@ def cut_by_removing(
     rest, these = np.flatnonzero(~scattered), np.flatnonzero(scattered)
     new = np.cumsum(~scattered) - 1
     own = _Intervals(new[ray[tight]], trajectory[tight], enter[tight], leave[tight])
-    connected = _pieces_of_growing_gaps(near[rest], far[rest], own, first[tight], nearer[tight], farther[tight])
+    connected = _segments_of_growing_gaps(near[rest], far[rest], own, first[tight], nearer[tight], farther[tight])
     new = np.cumsum(scattered) - 1
     sorted_ = first_cuts(near[these], far[these], new[ray[loose]], trajectory[loose], enter[loose], leave[loose])
     rays = np.concatenate((rest[connected.ray], these[sorted_.ray]))
@@ -149,7 +149,7 @@ def cut_by_removing(
     columns = (
         np.concatenate((getattr(connected, name), getattr(sorted_, name)))[order] for name in ("owner", "near", "far")
     )
-    return Pieces(rays[order], *columns)
+    return Segments(rays[order], *columns)
 
 
 def gaps_of(gaps: Gaps, rays: np.ndarray) -> Gaps:
@@ -170,42 +170,42 @@ def _with_gaps_first(gaps: Gaps, ray: np.ndarray, *others: np.ndarray) -> list[n
     return [rays[order], *(np.concatenate(both)[order] for both in zip(columns, others))]
 
 
-def _pieces_from_near_end(
+def _segments_from_near_end(
     near: np.ndarray, far: np.ndarray, ray: np.ndarray, trajectory: np.ndarray, leave: np.ndarray
-) -> Pieces:
-    """Return the pieces of rays whose intervals all begin at the near end and end at increasing depths."""
+) -> Segments:
+    """Return the segments of rays whose intervals all begin at the near end and end at increasing depths."""
     end = near.copy()
     end[ray] = leave  # each ray gets the end of its last interval, because numpy keeps the last value
     whole = end < far
     size = np.bincount(ray, minlength=len(near)) + whole
     base = np.append(0, np.cumsum(size))
-    pieces = Pieces(
+    segments = Segments(
         np.repeat(np.arange(len(near)), size),
         np.full(base[-1], UNCUT, np.int32),
         np.empty(base[-1]),
         np.empty(base[-1]),
     )
-    # Each interval gives one piece of its ray, and each ray whose far end is not cut gives one more piece. Therefore
-    # the index of an interval's piece is the number of earlier intervals plus the number of earlier rays whose far end
-    # is not cut.
+    # Each interval gives one segment of its ray, and each ray whose far end is not cut gives one more segment.
+    # Therefore the index of an interval's segment is the number of earlier intervals plus the number of earlier rays
+    # whose far end is not cut.
     at = np.arange(len(ray)) + (np.cumsum(whole) - whole).take(ray)
-    pieces.owner[at], pieces.far[at] = trajectory, leave
-    pieces.far[base[1:][whole] - 1] = far[whole]
-    pieces.near[1:] = pieces.far[:-1]
+    segments.owner[at], segments.far[at] = trajectory, leave
+    segments.far[base[1:][whole] - 1] = far[whole]
+    segments.near[1:] = segments.far[:-1]
     cut = size > 0
-    pieces.near[base[:-1][cut]] = near[cut]
-    return without_thin(pieces, near, far)
+    segments.near[base[:-1][cut]] = near[cut]
+    return without_thin(segments, near, far)
 
 
-def _pieces_of_growing_gaps(
+def _segments_of_growing_gaps(
     near: np.ndarray,
     far: np.ndarray,
     intervals: _Intervals,
     start: np.ndarray,
     nearer: np.ndarray,
     farther: np.ndarray,
-) -> Pieces:
-    """Return the pieces of rays that each have a single gap, which grows at one or both ends.
+) -> Segments:
+    """Return the segments of rays that each have a single gap, which grows at one or both ends.
 
     The mask `start` (m,) selects the first interval of each ray. The masks `nearer` and `farther` (m,) select the
     intervals by which the gap grows at its near end and at its far end.
@@ -233,7 +233,7 @@ def _pieces_of_growing_gaps(
     base = np.append(0, np.cumsum(size))
     core = base[:-1] + whole_before + before
 
-    pieces = Pieces(
+    segments = Segments(
         np.repeat(np.arange(rays), size),
         np.empty(base[-1], np.int32),
         np.empty(base[-1]),
@@ -241,7 +241,7 @@ def _pieces_of_growing_gaps(
     )
 
     def put(at: np.ndarray, owner: np.ndarray | int, begin: np.ndarray, end: np.ndarray) -> None:
-        pieces.owner[at], pieces.near[at], pieces.far[at] = owner, begin, end
+        segments.owner[at], segments.near[at], segments.far[at] = owner, begin, end
 
     put(core[ray[begins]], trajectory[begins], enter[begins], leave[begins])
     rank = np.arange(len(nearer)) - (np.cumsum(before) - before)[ray[nearer]]
@@ -252,7 +252,7 @@ def _pieces_of_growing_gaps(
     put(base[first], UNCUT, near[first], last_near[first])
     last = np.flatnonzero(whole_behind)
     put(base[last + 1] - 1, UNCUT, last_far[last], far[last])
-    return without_thin(pieces, near, far)
+    return without_thin(segments, near, far)
 
 
 def _marked(size: int, positions: np.ndarray) -> np.ndarray:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Divide rays into pieces; each piece is removed by one trajectory, or by no trajectory.
+"""Divide rays into segments; each segment is removed by one trajectory, or by no trajectory.
 
 Each trajectory of a sequence removes an interval of a ray. The ends of all removed intervals divide the part of the ray
-inside the stock into pieces. A removed piece belongs to the trace of the trajectory that removes it; a piece that no
-trajectory removes is a dexel. Each point of the ray is removed by the first trajectory whose interval contains the
-point. Therefore sorting the ends of all intervals once gives all pieces of all rays, without a loop over the
+inside the stock into segments. A removed segment belongs to the trace of the trajectory that removes it; a segment that
+no trajectory removes is a dexel. Each point of the ray is removed by the first trajectory whose interval contains the
+point. Therefore sorting the ends of all intervals once gives all segments of all rays, without a loop over the
 trajectories.
 """
 
@@ -14,28 +14,29 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# Largest length of a piece of a ray that is joined to a neighbouring piece, mm. A smaller length would turn rounding
-# errors into pieces of rays, and a larger length would attribute thin layers of material to the wrong trajectory.
+# Largest length of a segment of a ray that is joined to a neighbouring segment, mm. A smaller length would turn
+# rounding errors into segments of rays, and a larger length would attribute thin layers of material to the wrong
+# trajectory.
 THINNEST = 1e-4
 # Length, mm, by which a trajectory must reach deeper than earlier trajectories to cut a ray. A smaller length would
 # count rounding errors as cuts, and a larger length would ignore real cuts.
 NO_DEEPER = 1e-7
-# Value of `owner` for a piece that no trajectory removes.
+# Value of `owner` for a segment that no trajectory removes.
 UNCUT = np.iinfo(np.int32).max
 
 
 @dataclass(frozen=True, eq=False)
-class Pieces:
-    """Consecutive pieces of rays, sorted by ray and depth.
+class Segments:
+    """Consecutive segments of rays, sorted by ray and depth.
 
     Attributes
     ----------
     ray : (p,) int64
         Index of the ray.
     owner : (p,) int32
-        Trajectory that removes the piece, or `UNCUT` if no trajectory removes it.
+        Trajectory that removes the segment, or `UNCUT` if no trajectory removes it.
     near, far : (p,) float64
-        Depths of the piece's ends along the ray, mm.
+        Depths of the segment's ends along the ray, mm.
     """
 
     ray: np.ndarray
@@ -51,13 +52,13 @@ def first_cuts(
     trajectory: np.ndarray,
     enter: np.ndarray,
     leave: np.ndarray,
-) -> Pieces:
-    """Divide rays into pieces by sorting the ends of the intervals that trajectories remove.
+) -> Segments:
+    """Divide rays into segments by sorting the ends of the intervals that trajectories remove.
 
     Parameters
     ----------
     near, far : (k,) ndarray
-        Depths at which each ray enters and leaves the stock, mm. Rays with ``far - near <= THINNEST`` have no pieces.
+        Depths at which each ray enters and leaves the stock, mm. Rays with ``far - near <= THINNEST`` have no segments.
     ray : (m,) ndarray of int
         Ray of each interval.
     trajectory : (m,) ndarray of int
@@ -91,7 +92,7 @@ def first_cuts(
     slot_ray = np.concatenate((stock, ray, ray, stock))[order]
     same_ray = slot_ray[1:] == slot_ray[:-1]
     slots = np.flatnonzero(same_ray & (depth[1:] > depth[:-1]))
-    return without_thin(merged(Pieces(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1])), near, far)
+    return without_thin(merged(Segments(slot_ray[slots], owner[slots], depth[slots], depth[slots + 1])), near, far)
 
 
 def beginnings(group: np.ndarray) -> np.ndarray:
@@ -150,33 +151,33 @@ def _enter_lowest(target: np.ndarray, index: np.ndarray, value: np.ndarray) -> N
         target[index] = value
 
 
-def merged(pieces: Pieces) -> Pieces:
-    """Return the pieces, with neighbouring pieces of a ray joined if the same trajectory removes them."""
-    new = np.ones(len(pieces.ray), bool)
-    new[1:] = (pieces.ray[1:] != pieces.ray[:-1]) | (pieces.owner[1:] != pieces.owner[:-1])
+def merged(segments: Segments) -> Segments:
+    """Return the segments, with neighbouring segments of a ray joined if the same trajectory removes them."""
+    new = np.ones(len(segments.ray), bool)
+    new[1:] = (segments.ray[1:] != segments.ray[:-1]) | (segments.owner[1:] != segments.owner[:-1])
     start = np.flatnonzero(new)
     end = np.append(start, len(new))[1:] - 1
-    return Pieces(pieces.ray[start], pieces.owner[start], pieces.near[start], pieces.far[end])
+    return Segments(segments.ray[start], segments.owner[start], segments.near[start], segments.far[end])
 
 
-def without_thin(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Return the pieces, with each piece that is at most THINNEST long joined to a neighbouring piece.
+def without_thin(segments: Segments, near: np.ndarray, far: np.ndarray) -> Segments:
+    """Return the segments, with each segment that is at most THINNEST long joined to a neighbouring segment.
 
-    The pieces still fill each ray from `near` to `far`.
+    The segments still fill each ray from `near` to `far`.
     """
-    thick = np.flatnonzero(pieces.far - pieces.near > THINNEST)
-    if len(thick) == len(pieces.ray):
-        return pieces
-    kept = Pieces(pieces.ray[thick], pieces.owner[thick], pieces.near[thick], pieces.far[thick])
+    thick = np.flatnonzero(segments.far - segments.near > THINNEST)
+    if len(thick) == len(segments.ray):
+        return segments
+    kept = Segments(segments.ray[thick], segments.owner[thick], segments.near[thick], segments.far[thick])
     return merged(_without_gaps(kept, near, far))
 
 
-def _without_gaps(pieces: Pieces, near: np.ndarray, far: np.ndarray) -> Pieces:
-    """Extend each piece to the beginning of the next piece, so that the pieces fill each ray from `near` to `far`."""
-    start, end = pieces.near.copy(), pieces.far.copy()
+def _without_gaps(segments: Segments, near: np.ndarray, far: np.ndarray) -> Segments:
+    """Extend each segment to the beginning of the next segment, so that each ray is filled from `near` to `far`."""
+    start, end = segments.near.copy(), segments.far.copy()
     if len(start):
-        new = np.append(True, pieces.ray[1:] != pieces.ray[:-1])
-        start[new] = near[pieces.ray[new]]
-        end[:-1] = np.where(new[1:], far[pieces.ray[:-1]], start[1:])
-        end[-1] = far[pieces.ray[-1]]
-    return Pieces(pieces.ray, pieces.owner, start, end)
+        new = np.append(True, segments.ray[1:] != segments.ray[:-1])
+        start[new] = near[segments.ray[new]]
+        end[:-1] = np.where(new[1:], far[segments.ray[:-1]], start[1:])
+        end[-1] = far[segments.ray[-1]]
+    return Segments(segments.ray, segments.owner, start, end)

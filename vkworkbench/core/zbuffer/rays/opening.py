@@ -3,8 +3,8 @@
 
 In views from above and below, a tool removes all material above the tool's lower surface, so every removed interval
 begins at the same end of the ray. "A trajectory opens a ray to a depth" means that it removes the ray's material from
-the end at which all removed intervals begin to the depth. A trajectory removes a piece only if it opens the ray deeper
-than all earlier trajectories.
+the end at which all removed intervals begin to the depth. A trajectory removes a segment only if it opens the ray
+deeper than all earlier trajectories.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
 def opened(
     near: np.ndarray, far: np.ndarray, start: np.ndarray, owner: np.ndarray, leave: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return the removed pieces of rays that each trajectory cuts deeper than the previous trajectory.
+    """Return the removed segments of rays that each trajectory cuts deeper than the previous trajectory.
 
     Parameters
     ----------
@@ -66,13 +66,13 @@ def opened(
     Returns
     -------
     count : (k,) int64
-        Number of removed pieces of each ray.
+        Number of removed segments of each ray.
     rest : (k,) bool
-        Whether material is left on the ray deeper than the removed pieces.
+        Whether material is left on the ray deeper than the removed segments.
     end : (r,) ndarray
-        Depths at which the removed pieces end, mm.
+        Depths at which the removed segments end, mm.
     owner : (r,) ndarray of int
-        Trajectories that remove the pieces.
+        Trajectories that remove the segments.
     """
     count = np.diff(start, append=len(leave))
     last = start + count - 1
@@ -84,8 +84,8 @@ def opened(
     np.greater(leave[1:] - leave[:-1], THINNEST, out=thick[1:])
     thick[start] = leave[start] - near > THINNEST
     if not thick.all():
-        # A piece of a ray no longer than THINNEST is joined to the previous piece, which then ends where the next
-        # longer piece begins.
+        # A segment of a ray no longer than THINNEST is joined to the previous segment, which then ends where the next
+        # longer segment begins.
         kept = np.flatnonzero(thick)
         count = np.add.reduceat(thick, start, dtype=np.int64)
         last = np.cumsum(count) - 1

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the pieces of all rays (dexels, trace elements and gaps) as records of 8 bytes each: the extended z-buffer.
+"""Store the segments of all rays (dexels, trace elements and gaps) as records of 8 bytes each: the extended z-buffer.
 
-The pieces of a ray fill the ray from the point where the ray enters the stock to the point where the ray leaves the
-stock. Each piece begins where the previous piece ends, so the records store a beginning only for the first piece of a
-ray.
+The segments of a ray fill the ray from the point where the ray enters the stock to the point where the ray leaves the
+stock. Each segment begins where the previous segment ends, so the records store a beginning only for the first segment
+of a ray.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ import numpy as np
 # along the view's direction from the centre of the stock, mm.
 DEXEL = np.dtype([("near", np.float32), ("far", np.float32), ("pixel", np.uint32)])
 TRACE = np.dtype([("near", np.float32), ("far", np.float32), ("trajectory", np.uint32)])
-# Type of the array that holds the number of each pixel's first record (piece of a ray).
+# Type of the array that holds the number of each pixel's first record (segment of a ray).
 INDEX = np.dtype(np.uint32)
-# Value of `owner` for a gap in the stock, which is a piece of a ray without material before the first trajectory.
+# Value of `owner` for a gap in the stock, which is a segment of a ray without material before the first trajectory.
 GAP = -1
-# Memory for one record (a piece of a ray) and for one pixel, bytes.
+# Memory for one record (a segment of a ray) and for one pixel, bytes.
 RECORD_BYTES = 8
 PIXEL_BYTES = 8
-# Number of pieces of rays in one batch. Most numpy functions hold the GIL, so a larger batch would stop all other
+# Number of segments of rays in one batch. Most numpy functions hold the GIL, so a larger batch would stop all other
 # threads for more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
 _BLOCK = 1 << 17
 
 
 @dataclass(frozen=True, eq=False)
 class Records:
-    """The pieces of all rays of an image, sorted by pixel and then by depth.
+    """The segments of all rays of an image, sorted by pixel and then by depth.
 
     A pixel has the number row * width + column; row 0 is at the bottom of the image.
 
@@ -41,14 +41,14 @@ class Records:
     trajectories : int
         Number of trajectories of the toolpath.
     index : (pixels + 1,) ndarray of INDEX
-        Number of the first piece of each pixel; the last entry is the number of all pieces.
+        Number of the first segment of each pixel; the last entry is the number of all segments.
     entry : (pixels,) float32
         Depth at which the ray of each pixel enters the stock, mm; 0 for a ray that misses the stock.
     far : (p,) float32
-        Depth at which each piece ends, mm.
+        Depth at which each segment ends, mm.
     owner : (p,) int32
-        Trajectory that removes each piece; `trajectories` for a piece that no trajectory removes, and `GAP` for a gap
-        in the stock.
+        Trajectory that removes each segment; `trajectories` for a segment that no trajectory removes, and `GAP` for a
+        gap in the stock.
     """
 
     trajectories: int
@@ -64,7 +64,7 @@ class Records:
 
     @property
     def cut(self) -> np.ndarray:
-        """Whether a trajectory removes each piece, (p,) bool."""
+        """Whether a trajectory removes each segment, (p,) bool."""
         result: np.ndarray = (self.owner != GAP) & (self.owner < self.trajectories)
         return result
 
@@ -82,9 +82,9 @@ class Records:
         return ends
 
     def blocks(self) -> Iterator[tuple[int, int, Records]]:
-        """Yield the image in batches: first pixel, first piece, and records (pieces of rays) of the batch as views."""
-        pieces = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))
-        pixels = np.unique(np.append(np.searchsorted(self.index[1:], pieces, side="right"), len(self.entry)))
+        """Yield the image in batches: first pixel, first segment, and the records of the batch as views."""
+        segments = np.arange(0, len(self.far), max(_BLOCK, self.trajectories // 4))
+        pixels = np.unique(np.append(np.searchsorted(self.index[1:], segments, side="right"), len(self.entry)))
         for pixel, end in zip(pixels[:-1].tolist(), pixels[1:].tolist()):
             index = self.index[pixel : end + 1]
             own = slice(int(index[0]), int(index[-1]))
@@ -97,13 +97,13 @@ class Records:
     @cached_property
     def lengths(self) -> np.ndarray:
         """Total length that each trajectory removes from all rays, (trajectories,) float64 mm."""
-        total = np.zeros(self.trajectories + 2)  # the first total is for the gaps, the last for the uncut pieces
+        total = np.zeros(self.trajectories + 2)  # the first total is for the gaps, the last for the uncut segments
         for _, _, block in self.blocks():
             total += np.bincount(block.owner - GAP, block.far.astype(float) - block.near(), len(total))
         return total[1:-1]
 
-    def pieces_of(self, owners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the pieces that the selected trajectories remove, sorted by pixel and then by depth.
+    def segments_of(self, owners: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the segments that the selected trajectories remove, sorted by pixel and then by depth.
 
         Parameters
         ----------
@@ -112,22 +112,22 @@ class Records:
 
         Returns
         -------
-        piece, pixel : (k,) int64
-            Number and pixel of each piece.
+        segment, pixel : (k,) int64
+            Number and pixel of each segment.
         near : (k,) float32
-            Depth at which each piece begins, mm.
+            Depth at which each segment begins, mm.
         """
-        wanted = np.append(owners, [False, False])  # pieces that no trajectory removes, and gaps, are not selected
+        wanted = np.append(owners, [False, False])  # segments that no trajectory removes, and gaps, are not selected
         found = [(np.empty(0, np.int64), np.empty(0, np.int64), np.empty(0, np.float32))]
-        for first_pixel, first_piece, block in self.blocks():
+        for first_pixel, first_segment, block in self.blocks():
             own = np.flatnonzero(wanted[block.owner])
             if len(own):
-                found.append((own + first_piece, block.pixel()[own] + np.int64(first_pixel), block.near()[own]))
-        piece, pixel, near = (np.concatenate(parts) for parts in zip(*found))
-        return piece, pixel, near
+                found.append((own + first_segment, block.pixel()[own] + np.int64(first_pixel), block.near()[own]))
+        segment, pixel, near = (np.concatenate(parts) for parts in zip(*found))
+        return segment, pixel, near
 
     def near(self) -> np.ndarray:
-        """Return the depth at which each piece begins, (p,) float32 mm."""
+        """Return the depth at which each segment begins, (p,) float32 mm."""
         near = np.empty_like(self.far)
         near[1:] = self.far[:-1]
         met = np.flatnonzero(self.index[1:] > self.index[:-1])
@@ -135,7 +135,7 @@ class Records:
         return near
 
     def pixel(self) -> np.ndarray:
-        """Return the pixel of each piece, (p,) uint32."""
+        """Return the pixel of each segment, (p,) uint32."""
         index: np.ndarray = self.index.astype(np.int64)
         return np.repeat(np.arange(len(self.entry), dtype=np.uint32), index[1:] - index[:-1])
 
@@ -143,7 +143,7 @@ class Records:
         """Return the dexels after `step` trajectories, sorted by pixel and depth, (d,) ndarray of DEXEL."""
         left = self.owner >= step
         pixel = self.pixel()
-        joined = np.zeros(len(left), bool)  # whether a piece and the previous piece belong to one dexel
+        joined = np.zeros(len(left), bool)  # whether a segment and the previous segment belong to one dexel
         joined[1:] = left[1:] & left[:-1] & (pixel[1:] == pixel[:-1])
         first = np.flatnonzero(left & ~joined)
         last = np.flatnonzero(left & ~np.append(joined[1:], False))
@@ -152,7 +152,7 @@ class Records:
         return dexels
 
     def traces(self) -> np.ndarray:
-        """Return the pieces that all trajectories remove, sorted by pixel and depth, (m,) ndarray of TRACE."""
+        """Return the segments that all trajectories remove, sorted by pixel and depth, (m,) ndarray of TRACE."""
         cut = np.flatnonzero(self.cut)
         traces = np.empty(len(cut), TRACE)
         traces["near"], traces["far"], traces["trajectory"] = self.near()[cut], self.far[cut], self.owner[cut]
@@ -201,15 +201,15 @@ def first_not_below(values: np.ndarray, first: np.ndarray, end: np.ndarray, soug
 
 
 def side_by_side(parts: Sequence[Records], height: int) -> Records:
-    """Join the records (pieces of rays) of parts of an image, from left to right.
+    """Join the records (segments of rays) of parts of an image, from left to right.
 
     Every part of the image has `height` rows of pixels.
     """
     if len(parts) == 1:
         return parts[0]
-    # For each part of the image: the first pixel of each row of pixels, and the first piece on the ray of this pixel.
+    # For each part of the image: the first pixel of each row of pixels, and the first segment on the ray of this pixel.
     pixels = [np.arange(height + 1) * (len(part.entry) // height) for part in parts]
-    pieces = [part.index[own] for part, own in zip(parts, pixels)]
+    segments = [part.index[own] for part, own in zip(parts, pixels)]
 
     def rows(arrays: list[np.ndarray], bounds: list[np.ndarray]) -> np.ndarray:
         both = list(zip(arrays, bounds))
@@ -220,37 +220,37 @@ def side_by_side(parts: Sequence[Records], height: int) -> Records:
         parts[0].trajectories,
         np.append(0, np.cumsum(counts)).astype(INDEX),
         rows([part.entry for part in parts], pixels),
-        rows([part.far for part in parts], pieces),
-        rows([part.owner for part in parts], pieces),
+        rows([part.far for part in parts], segments),
+        rows([part.owner for part in parts], segments),
     )
 
 
 class Writer:
-    """Collects the records (pieces of rays) of an image by bands of pixel rows, from the bottom of the image up."""
+    """Collects the records (segments of rays) of an image by bands of pixel rows, from the bottom of the image up."""
 
     def __init__(self, trajectories: int, pixels: int) -> None:
         self.trajectories = trajectories
         self.index = np.zeros(pixels + 1, INDEX)
         self.entry = np.zeros(pixels, np.float32)
         self.far, self.owner = np.empty(0, np.float32), np.empty(0, np.int32)
-        self.pixels = self.pieces = 0
+        self.pixels = self.segments = 0
 
     def append(self, band: Records) -> None:
         """Add the records of the next band of pixel rows, directly above the previous band."""
-        pixels, pieces = self.pixels + len(band.entry), self.pieces + len(band.far)
-        if pieces > len(self.far):
-            self._resize(pieces + pieces // 8)
-        self.far[self.pieces : pieces], self.owner[self.pieces : pieces] = band.far, band.owner
-        self.index[self.pixels + 1 : pixels + 1] = band.index[1:] + self.pieces
+        pixels, segments = self.pixels + len(band.entry), self.segments + len(band.far)
+        if segments > len(self.far):
+            self._resize(segments + segments // 8)
+        self.far[self.segments : segments], self.owner[self.segments : segments] = band.far, band.owner
+        self.index[self.pixels + 1 : pixels + 1] = band.index[1:] + self.segments
         self.entry[self.pixels : pixels] = band.entry
-        self.pixels, self.pieces = pixels, pieces
+        self.pixels, self.segments = pixels, segments
 
     def records(self) -> Records:
         """Return the records of all collected bands of pixel rows."""
-        self._resize(self.pieces)
+        self._resize(self.segments)
         return Records(self.trajectories, self.index, self.entry, self.far, self.owner)
 
-    def _resize(self, pieces: int) -> None:
+    def _resize(self, segments: int) -> None:
         # Resize in place, because the operating system can enlarge a large array without holding a second copy.
-        self.far.resize(pieces, refcheck=False)
-        self.owner.resize(pieces, refcheck=False)
+        self.far.resize(segments, refcheck=False)
+        self.owner.resize(segments, refcheck=False)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from vkworkbench.core.zbuffer.rays.chains import cut_rays, gaps_of
-from vkworkbench.core.zbuffer.rays.dexels import THINNEST, Pieces
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST, Segments
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Number of neighbouring rays in a group, whose common rectangle is compared with the bounding boxes of trajectories.
@@ -25,8 +25,8 @@ _PAIRS_AT_ONCE = 16_384
 class Removal(Trajectories):
     """Trajectories that are prepared to cut single rays, spread over the image."""
 
-    def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Pieces, np.ndarray]:
-        """Divide rays into pieces at the ends of the intervals that trajectories remove.
+    def cut(self, x: np.ndarray, y: np.ndarray) -> tuple[Segments, np.ndarray]:
+        """Divide rays into segments at the ends of the intervals that trajectories remove.
 
         The method is fastest if consecutive rays are neighbouring rays in the image.
 
@@ -37,14 +37,14 @@ class Removal(Trajectories):
 
         Returns
         -------
-        pieces : Pieces
-            The pieces of the rays. The owner of a piece is the number of the trajectory that removes the piece, `UNCUT`
-            or `GAP`.
+        segments : Segments
+            The segments of the rays. The owner of a segment is the number of the trajectory that removes the segment,
+            `UNCUT` or `GAP`.
         passes : (k,) int64
             Number of trajectories whose swept volume was intersected with each ray.
         """
         near, far, gaps = self.spans(x, y)
-        # Rays that miss the stock have no pieces.
+        # Rays that miss the stock have no segments.
         inside = np.flatnonzero(far - near > THINNEST)
         passes = np.zeros(len(x), np.int64)
         x, y, near, far, gaps = x[inside], y[inside], near[inside], far[inside], gaps_of(gaps, inside)
@@ -54,9 +54,9 @@ class Removal(Trajectories):
             passes[inside[first:last]] = np.bincount(ray, minlength=last - first)
             enter, leave = self.intervals(x[first:last][ray], y[first:last][ray], item)
             own = gaps_of(gaps, np.arange(first, last))
-            pieces = cut_rays(near[first:last], far[first:last], ray, self.index[item], enter, leave, own)
-            parts.append((inside[pieces.ray + first], pieces.owner, pieces.near, pieces.far))
-        return Pieces(*(np.concatenate(columns) for columns in zip(*parts))), passes
+            segments = cut_rays(near[first:last], far[first:last], ray, self.index[item], enter, leave, own)
+            parts.append((inside[segments.ray + first], segments.owner, segments.near, segments.far))
+        return Segments(*(np.concatenate(columns) for columns in zip(*parts))), passes
 
     def _meetings(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[int, int, np.ndarray, np.ndarray]]:
         """Yield ranges of rays (first, end), and the pairs of a group of rays and a trajectory that can meet.

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Find the visible surface of the part at any moment of the simulation, without sorting the pieces again.
+"""Find the visible surface of the part at any moment of the simulation, without sorting the segments again.
 
-At moment k (before trajectory k is simulated), the visible piece of a ray is the piece nearest to the eye that no
-trajectory before k removes. The owner of a piece is the number of the trajectory that removes the piece. A piece can
-become visible only if the piece is removed later than all pieces between the eye and the piece. Owners that are greater
-than all owners nearer to the eye (the prefix maxima) ascend along the ray, so a binary search finds the visible piece
-for any k, whether the simulation runs forwards or backwards. The interval treap by Blasquez and Poiraudeau (2000)
-solves the same problem.
+At moment k (before trajectory k is simulated), the visible segment of a ray is the segment nearest to the eye that no
+trajectory before k removes. The owner of a segment is the number of the trajectory that removes the segment. A segment
+can become visible only if the segment is removed later than all segments between the eye and the segment. Owners that
+are greater than all owners nearer to the eye (the prefix maxima) ascend along the ray, so a binary search finds the
+visible segment for any k, whether the simulation runs forwards or backwards. The interval treap by Blasquez and
+Poiraudeau (2000) solves the same problem.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ class Picture:
     owner: np.ndarray
 
 
-# Smallest number of prefix maxima (pieces of rays that are removed later than all pieces nearer to the eye) that are
-# processed in one batch. Numpy holds the GIL for most of a batch, so a larger batch would stop all other threads for
-# more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
+# Smallest number of prefix maxima (segments of rays that are removed later than all segments nearer to the eye) that
+# are processed in one batch. Numpy holds the GIL for most of a batch, so a larger batch would stop all other threads
+# for more than a few milliseconds. In a smaller batch, the overhead of numpy's calls would dominate.
 _BATCH = 1 << 17
 
 
@@ -61,9 +61,9 @@ class Surface:
         self._latest: Picture | None = None
 
     def prepare(self) -> None:
-        """Compute the tables of the pieces that can become visible, which are needed to show the part at any moment.
+        """Compute the tables of the segments that can become visible, which are needed to show the part at any moment.
 
-        With many pieces, the computation takes so long that it must not run in the thread of the user interface.
+        With many segments, the computation takes so long that it must not run in the thread of the user interface.
         """
         self._by_owner  # noqa: B018 - cached
 
@@ -92,36 +92,36 @@ class Surface:
         return np.unique(self._removed(step, other)).astype(np.int64)
 
     def _removed(self, step: int, other: int) -> np.ndarray:
-        """Return the pixels in which trajectories from `step` to `other` remove a visible piece, with repetitions."""
+        """Return the pixels in which trajectories from `step` to `other` remove a visible segment, with repetitions."""
         first, pixels = self._by_owner
         result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
         return result
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the visible surface's depth, and the trajectory that cut it, at some pixels, by binary searches."""
-        records, (owners, pieces, first) = self.records, self._maxima
+        records, (owners, segments, first) = self.records, self._maxima
         end = first[pixels + 1]
         low = first_not_below(owners, first[pixels], end, step)
         seen = low < end
         depth = np.full(len(pixels), np.nan, np.float32)
         depth[seen] = records.entry[pixels[seen]]
         owner = np.full(len(pixels), STOCK, np.int32)
-        piece = pieces[low[seen]].astype(np.int64)
-        behind = piece > records.index[pixels[seen]]
-        at, before = np.flatnonzero(seen)[behind], piece[behind] - 1
+        segment = segments[low[seen]].astype(np.int64)
+        behind = segment > records.index[pixels[seen]]
+        at, before = np.flatnonzero(seen)[behind], segment[behind] - 1
         depth[at], owner[at] = records.far[before], records.owner[before]
         return depth, owner
 
     @cached_property
     def _maxima(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """The prefix maxima: pieces that can become visible, their trajectories, and each pixel's first maximum.
+        """The prefix maxima: segments that can become visible, their trajectories, and each pixel's first maximum.
 
-        The result contains the trajectories, the pieces, and the position of each pixel's first prefix maximum.
+        The result contains the trajectories, the segments, and the position of each pixel's first prefix maximum.
         """
         records = self.records
         first = np.zeros(len(records.entry) + 1, np.int64)
-        owners, pieces = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)
-        for pixel, piece, block in records.blocks():
+        owners, segments = np.empty(len(records.far), np.int32), np.empty(len(records.far), np.uint32)
+        for pixel, segment, block in records.blocks():
             keys = block.pixel().astype(np.int64)
             keys *= records.trajectories + 1
             keys += block.owner
@@ -130,14 +130,14 @@ class Surface:
             own = np.flatnonzero(new)
             begin = first[pixel]
             first[pixel + 1 : pixel + len(block.index)] = begin + np.searchsorted(own, block.index[1:])
-            owners[begin : begin + len(own)], pieces[begin : begin + len(own)] = block.owner[own], own + piece
-        for array in (owners, pieces):
+            owners[begin : begin + len(own)], segments[begin : begin + len(own)] = block.owner[own], own + segment
+        for array in (owners, segments):
             array.resize(first[-1], refcheck=False)
-        return owners, pieces, first
+        return owners, segments, first
 
     @cached_property
     def _by_owner(self) -> tuple[np.ndarray, np.ndarray]:
-        """The pixels of all pieces that can become visible, sorted by the trajectory that removes the piece.
+        """The pixels of all segments that can become visible, sorted by the trajectory that removes the segment.
 
         The first array contains the position at which each trajectory's pixels begin, and the second array the pixels.
         The pixels are sorted by a counting sort in batches.

@@ -47,7 +47,7 @@ class CutImage:
         return CutImage, self._arguments
 
     def __call__(self, region: Region, going_on: Callable[[], None] = lambda: None) -> tuple[Records, int]:
-        """Cut a region; return its pieces of rays, and how often a trajectory was tested against a tile or a pixel.
+        """Cut a region; return its segments of rays, and how often a trajectory was tested against a tile or a pixel.
 
         `going_on` is called many times a second. An exception raised by `going_on` stops the cutting.
         """

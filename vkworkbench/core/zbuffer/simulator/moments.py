@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Provide the extended z-buffer after any number of simulated trajectories.
 
-The ray of each pixel consists of dexels, which are pieces inside the part, and of trace elements, which are pieces that
-trajectories removed. An earlier state of the part is restored by adding the trace elements that later trajectories
+The ray of each pixel consists of dexels, which are segments inside the part, and of trace elements, which are segments
+that trajectories removed. An earlier state of the part is restored by adding the trace elements that later trajectories
 remove to the dexels. A moment of the simulation is given as the number of trajectories simulated before it.
 """
 
@@ -30,7 +30,7 @@ class Chips(NamedTuple):
     depth, far : (pixels,) float32
         Depths at which the removed material begins and ends on each ray, mm; NaN for a ray without removed material.
     owner : (pixels,) int32
-        Trajectory that removes the piece nearest to the eye on each ray; `STOCK` for a ray without removed material.
+        Trajectory that removes the segment nearest to the eye on each ray; `STOCK` for a ray without removed material.
     """
 
     depth: np.ndarray
@@ -51,7 +51,7 @@ class ZBuffer:
     step : int
         The moment of the simulation, as the number of simulated trajectories.
     records : Records
-        The pieces of all rays, for all moments of the simulation.
+        The segments of all rays, for all moments of the simulation.
     surface : Surface
         The visible surfaces at any moment of the simulation.
     candidates : int
@@ -86,7 +86,7 @@ class ZBuffer:
 
     @cached_property
     def trace_records(self) -> np.ndarray:
-        """(m,) ndarray of TRACE : the pieces that all trajectories remove, sorted by pixel and depth."""
+        """(m,) ndarray of TRACE : the segments that all trajectories remove, sorted by pixel and depth."""
         return self.records.traces()
 
     @cached_property
@@ -134,18 +134,18 @@ class ZBuffer:
         """
         first, end = self._moment("first", first), self._moment("end", end)
         records, pixels = self.records, self.frame.width * self.frame.height
-        pieces = np.flatnonzero((records.owner >= first) & (records.owner < end))
-        pixel = np.searchsorted(records.index, pieces, side="right") - 1
-        nearest = np.ones(len(pieces) + 1, bool)
+        segments = np.flatnonzero((records.owner >= first) & (records.owner < end))
+        pixel = np.searchsorted(records.index, segments, side="right") - 1
+        nearest = np.ones(len(segments) + 1, bool)
         nearest[1:-1] = pixel[1:] != pixel[:-1]
         farthest = nearest[1:]
         depth, far = np.full((2, pixels), np.nan, np.float32)
         owner = np.full(pixels, STOCK, np.int32)
-        far[pixel[farthest]] = records.far[pieces[farthest]]
-        pieces, pixel = pieces[nearest[:-1]], pixel[nearest[:-1]]
-        inner = pieces > records.index[pixel]
-        depth[pixel] = np.where(inner, records.far[pieces - 1], records.entry[pixel])
-        owner[pixel] = records.owner[pieces]
+        far[pixel[farthest]] = records.far[segments[farthest]]
+        segments, pixel = segments[nearest[:-1]], pixel[nearest[:-1]]
+        inner = segments > records.index[pixel]
+        depth[pixel] = np.where(inner, records.far[segments - 1], records.entry[pixel])
+        owner[pixel] = records.owner[segments]
         return Chips(depth, far, owner)
 
     def removers(self, pixels: np.ndarray, depth: np.ndarray) -> np.ndarray:
@@ -165,9 +165,9 @@ class ZBuffer:
         """
         records = self.records
         first, end = (records.index[pixels + at].astype(np.int64) for at in (0, 1))
-        piece = first_not_below(records.far, first, end, depth)
-        removed = np.flatnonzero((piece < end) & (depth > records.entry[pixels]))
-        owner = records.owner[piece[removed]]
+        segment = first_not_below(records.far, first, end, depth)
+        removed = np.flatnonzero((segment < end) & (depth > records.entry[pixels]))
+        owner = records.owner[segment[removed]]
         found = np.full(len(pixels), STOCK, np.int32)
         found[removed] = np.where(owner < self.step, owner, STOCK)
         return found

@@ -10,7 +10,7 @@ import numpy as np
 
 from vkworkbench.core.zbuffer.culling.tiles import Bounds, Region, Tiles
 from vkworkbench.core.zbuffer.rays.chains import cut_by_removing, cut_rays, gaps_of
-from vkworkbench.core.zbuffer.rays.dexels import THINNEST, UNCUT, Pieces
+from vkworkbench.core.zbuffer.rays.dexels import THINNEST, UNCUT, Segments
 from vkworkbench.core.zbuffer.rays.opening import opened
 from vkworkbench.core.zbuffer.rays.records import INDEX, Records
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
@@ -18,20 +18,20 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """The pieces of some rays after cutting.
+    """The segments of some rays after cutting.
 
     Attributes
     ----------
     ray : (k,) ndarray of int
         Numbers of the rays in the region.
     size : (k,) ndarray of int
-        Number of pieces of each ray.
+        Number of segments of each ray.
     count : (k,) ndarray of int
-        Number of pieces of each ray that `end` and `owner` list. If no trajectory removes the last piece of a ray, this
-        piece can be missing in both lists.
+        Number of segments of each ray that `end` and `owner` list. If no trajectory removes the last segment of a ray,
+        this segment can be missing in both lists.
     end : (p,) float32
     owner : (p,) int32
-        Depth at which each listed piece ends, mm, and the trajectory that removes each listed piece (its owner).
+        Depth at which each listed segment ends, mm, and the trajectory that removes each listed segment (its owner).
     """
 
     ray: np.ndarray
@@ -53,7 +53,7 @@ def cut_region(
     blocks : iterable of (Tiles, int)
         Small tiles, each with the number of tests made to find it, as `tiles.small_tiles` yields them.
     uncut : int
-        Number that is stored, instead of a trajectory, for pieces that no trajectory removes.
+        Number that is stored, instead of a trajectory, for segments that no trajectory removes.
 
     Returns
     -------
@@ -77,8 +77,8 @@ class _Rays:
         centres = frame.pixel_centres(region.left + column, region.bottom + row)
         self.near, self.far, self.gaps = trajectories.spans(*centres)
         self.inside = self.far - self.near > THINNEST
-        # A gap in the stock is stored as a piece of the ray, even if no trajectory cuts the ray. Therefore each ray
-        # with gaps is marked as pending until it is cut, and `records` adds the pieces of the rays that are still
+        # A gap in the stock is stored as a segment of the ray, even if no trajectory cuts the ray. Therefore each ray
+        # with gaps is marked as pending until it is cut, and `records` adds the segments of the rays that are still
         # pending.
         self.pending = np.zeros(len(row), bool)
         self.pending[self.gaps.ray] = True
@@ -137,10 +137,10 @@ class _Rays:
         entry = np.where(self.inside, self.near, 0).astype(np.float32)
         return Records(self.uncut, index.astype(INDEX), entry, ends, owners)
 
-    def _put(self, ray: np.ndarray, pieces: Pieces) -> None:
-        """Store the pieces of the rays `ray`; ``pieces.ray`` contains positions in the array `ray`."""
-        size = np.bincount(pieces.ray, minlength=len(ray))
-        self._add(ray, size, size, pieces.far, np.where(pieces.owner == UNCUT, self.uncut, pieces.owner))
+    def _put(self, ray: np.ndarray, segments: Segments) -> None:
+        """Store the segments of the rays `ray`; ``segments.ray`` contains positions in the array `ray`."""
+        size = np.bincount(segments.ray, minlength=len(ray))
+        self._add(ray, size, size, segments.far, np.where(segments.owner == UNCUT, self.uncut, segments.owner))
         self.pending[ray] = False
 
     def _add(self, ray: np.ndarray, size: np.ndarray, count: np.ndarray, end: np.ndarray, owner: np.ndarray) -> None:

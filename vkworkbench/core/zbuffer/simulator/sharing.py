@@ -3,7 +3,7 @@
 
 The regions can be cut in any order. Several threads are hardly faster than one, because numpy holds the global
 interpreter lock (GIL) for arrays that fit into the processor's cache (`benchmarks/sharing.py`). Therefore the image is
-sent to other processes, which cut regions and return the regions' records (pieces of rays).
+sent to other processes, which cut regions and return the regions' records (segments of rays).
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def cut_bands(
     Yields
     ------
     Records, int
-        Records (pieces of rays) of each band, and how many times a trajectory was tested against a tile or a pixel of
+        Records (segments of rays) of each band, and how many times a trajectory was tested against a tile or a pixel of
         the band.
     """
     begin = time.monotonic()

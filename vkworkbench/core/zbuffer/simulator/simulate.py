@@ -49,9 +49,9 @@ def simulate_job(
 ) -> ZBuffer:
     """Simulate toolpaths one after the other on one stock, including rapids.
 
-    An element of a trace is one piece that a trajectory removes from the ray of one pixel. A piece that is at most 1e-4
-    mm long is a rounding error and is joined to a neighbouring piece. A trajectory is the straight sweep of the tool
-    between two points of the toolpath. Trajectories are numbered consecutively over all operations; see `Cuts`.
+    An element of a trace is one segment that a trajectory removes from the ray of one pixel. A segment that is at most
+    1e-4 mm long is a rounding error and is joined to a neighbouring segment. A trajectory is the straight sweep of the
+    tool between two points of the toolpath. Trajectories are numbered consecutively over all operations; see `Cuts`.
 
     Parameters
     ----------

@@ -18,7 +18,7 @@ import numpy as np
 from vkworkbench.core.zbuffer.rays.dexels import THINNEST
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
-# Depths are rounded to multiples of this length, mm. No piece of a ray is shorter than this length. With a smaller
+# Depths are rounded to multiples of this length, mm. No segment of a ray is shorter than this length. With a smaller
 # length, some triangles would have almost no area.
 _SAME = THINNEST
 # _HEADER: number of bytes in an STL file before the number of triangles. _TRIANGLE: layout of one triangle, with

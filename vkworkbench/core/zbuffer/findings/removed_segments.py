@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Store the pieces of rays that given trajectories remove, and compute points, heights and volumes of these pieces."""
+"""Store the segments of rays that given trajectories remove, and compute their points, heights and volumes."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 
 
 @dataclass(frozen=True, eq=False)
-class RemovedPieces:
-    """Pieces of rays in one image, each removed by a trajectory.
+class RemovedSegments:
+    """Segments of rays in one image, each removed by a trajectory.
 
     Attributes
     ----------
     frame : Frame
         The image whose rays were cut.
     owner : (k,) ndarray of int
-        Trajectory that removes each piece.
+        Trajectory that removes each segment.
     x, y : (k,) ndarray
-        Image coordinates of each piece's ray, mm.
+        Image coordinates of each segment's ray, mm.
     near, far : (k,) ndarray
-        Depths at which each piece begins and ends, mm.
+        Depths at which each segment begins and ends, mm.
     """
 
     frame: Frame
@@ -35,20 +35,20 @@ class RemovedPieces:
     near: np.ndarray
     far: np.ndarray
 
-    def points(self, piece: np.ndarray, depth: np.ndarray) -> np.ndarray:
-        """Return the points (q, 3) at the depths `depth` (q,) on the rays of the pieces `piece` (q,), mm."""
-        result: np.ndarray = self.frame.origins(self.x[piece], self.y[piece])
+    def points(self, segment: np.ndarray, depth: np.ndarray) -> np.ndarray:
+        """Return the points (q, 3) at the depths `depth` (q,) on the rays of the segments `segment` (q,), mm."""
+        result: np.ndarray = self.frame.origins(self.x[segment], self.y[segment])
         result += np.multiply.outer(depth, self.frame.direction)
         return result
 
-    def selected(self, chosen: np.ndarray) -> RemovedPieces:
-        """Return the pieces that the argument selects: a mask (k,) bool, or numbers of pieces, ascending."""
+    def selected(self, chosen: np.ndarray) -> RemovedSegments:
+        """Return the segments that the argument selects: a mask (k,) bool, or numbers of segments, ascending."""
         columns = (self.owner, self.x, self.y, self.near, self.far)
-        return RemovedPieces(self.frame, *(column[chosen] for column in columns))
+        return RemovedSegments(self.frame, *(column[chosen] for column in columns))
 
     @property
     def upper(self) -> np.ndarray:
-        """Depth of the higher end of each piece, (k,) mm."""
+        """Depth of the higher end of each segment, (k,) mm."""
         return self.near if self.frame.direction[2] < 0 else self.far
 
     def volumes(self, trajectories: int) -> np.ndarray:
@@ -66,20 +66,20 @@ class RemovedPieces:
         return tops
 
 
-def joined(parts: Sequence[RemovedPieces]) -> RemovedPieces:
-    """Join several sets of removed pieces of rays of one image."""
+def joined(parts: Sequence[RemovedSegments]) -> RemovedSegments:
+    """Join several sets of removed segments of rays of one image."""
     columns = zip(*((part.owner, part.x, part.y, part.near, part.far) for part in parts))
-    return RemovedPieces(parts[0].frame, *map(np.concatenate, columns))
+    return RemovedSegments(parts[0].frame, *map(np.concatenate, columns))
 
 
-def pieces_of(zbuffer: ZBuffer, owners: np.ndarray) -> RemovedPieces:
-    """Return the pieces that the selected trajectories remove in an image.
+def segments_of(zbuffer: ZBuffer, owners: np.ndarray) -> RemovedSegments:
+    """Return the segments that the selected trajectories remove in an image.
 
     `owners` (n,) bool selects the trajectories.
     """
     records, frame = zbuffer.records, zbuffer.frame
-    pieces, pixel, near = records.pieces_of(owners)
+    segments, pixel, near = records.segments_of(owners)
     row, column = np.divmod(pixel, frame.width)
     x, y = frame.pixel_centres(column, row)
-    far = records.far[pieces].astype(float)
-    return RemovedPieces(frame, records.owner[pieces], x, y, near.astype(float), far)
+    far = records.far[segments].astype(float)
+    return RemovedSegments(frame, records.owner[segments], x, y, near.astype(float), far)
