@@ -220,5 +220,4 @@ def _trapezoids(squared: np.ndarray, speed: np.ndarray, gain: np.ndarray, length
     peak, acceleration = np.sqrt(top), gain / (2 * lengths)
     changing = (2 * peak - np.sqrt(enter) - np.sqrt(leave)) / acceleration
     steady = np.maximum(lengths - (2 * top - enter - leave) / (2 * acceleration), 0.0)
-    result: np.ndarray = changing + steady / peak
-    return result
+    return changing + steady / peak

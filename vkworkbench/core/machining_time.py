@@ -147,10 +147,7 @@ def _rapids_untimed(length: float, names: list[str], controller: bool) -> Messag
 def _upright(toolpath: Toolpath) -> np.ndarray:
     """Return whether each trajectory is vertical, (n,) bool."""
     points = toolpath.points
-    result: np.ndarray = (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (
-        np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6
-    )
-    return result
+    return (np.abs(points[1:, 0] - points[:-1, 0]) < 1e-6) & (np.abs(points[1:, 1] - points[:-1, 1]) < 1e-6)
 
 
 def machining(

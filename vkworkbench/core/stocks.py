@@ -264,8 +264,7 @@ def _edge(lower: np.ndarray, upper: np.ndarray) -> np.ndarray:
 
 def _crossed(edges: np.ndarray, at: np.ndarray) -> np.ndarray:
     """Return the image coordinate x (k,) at which edges (k, 3), see `_edge`, cross the rows of rays `at` (k,)."""
-    result: np.ndarray = edges[:, 0] + (at - edges[:, 1]) * edges[:, 2]
-    return result
+    return edges[:, 0] + (at - edges[:, 1]) * edges[:, 2]
 
 
 # All types of stocks and models.

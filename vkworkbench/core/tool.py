@@ -149,8 +149,7 @@ class Tool:
         corner = self.rounding
         flat, width = (self.radius - corner, corner) if corner else (self.tip, self.radius - self.tip)
         beyond_flat = np.minimum(np.maximum(r - flat, 0.0), width)
-        rise: np.ndarray = corner - np.sqrt(corner**2 - beyond_flat**2) if corner else self.steepness * beyond_flat
-        return rise
+        return corner - np.sqrt(corner**2 - beyond_flat**2) if corner else self.steepness * beyond_flat
 
 
 def check_tool(given: object) -> None:

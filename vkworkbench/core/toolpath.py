@@ -209,8 +209,7 @@ class Toolpath:
     @property
     def lengths(self) -> np.ndarray:
         """Chord length of every trajectory, (n,) mm."""
-        result: np.ndarray = np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1))
-        return result
+        return np.sqrt((np.diff(self.points, axis=0) ** 2).sum(axis=1))
 
 
 def check_toolpath(given: object) -> None:

@@ -149,8 +149,7 @@ class Frame:
 
     def origins(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Return the points (k, 3) of the image plane at image coordinates `x`, `y` (k,)."""
-        result: np.ndarray = self.centre + np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
-        return result
+        return self.centre + np.multiply.outer(x, self.right) + np.multiply.outer(y, self.up)
 
     def pixel_centres(self, columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the image coordinates of pixel centres; column 0 is left, row 0 is the bottom."""
@@ -161,5 +160,4 @@ class Frame:
     def points(self, columns: np.ndarray, rows: np.ndarray, depth: np.ndarray) -> np.ndarray:
         """Return the points (k, 3) at a depth (k,) along the ray of each pixel."""
         centres = self.origins(*self.pixel_centres(columns, rows))
-        result: np.ndarray = centres + np.multiply.outer(depth, self.direction)
-        return result
+        return centres + np.multiply.outer(depth, self.direction)

@@ -177,8 +177,7 @@ def _box_around(cuts: tuple[Cut, ...]) -> Stock:
 
 
 def _sideways(toolpath: Toolpath) -> np.ndarray:
-    result: np.ndarray = (np.diff(toolpath.points[:, :2], axis=0) != 0).any(axis=1)
-    return result
+    return (np.diff(toolpath.points[:, :2], axis=0) != 0).any(axis=1)
 
 
 def _highest_cut(cut: Cut) -> float:
@@ -197,8 +196,7 @@ def _highest_cut(cut: Cut) -> float:
 def _rapid_heights(toolpath: Toolpath) -> np.ndarray:
     """Return the height of the lower end of each rapid that moves horizontally, mm."""
     heights = np.minimum(toolpath.points[:-1, 2], toolpath.points[1:, 2])
-    result: np.ndarray = heights[toolpath.rapid & _sideways(toolpath)]
-    return result
+    return heights[toolpath.rapid & _sideways(toolpath)]
 
 
 @dataclass(frozen=True, eq=False)

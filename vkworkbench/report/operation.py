@@ -135,8 +135,7 @@ class OperationReport(Costs):
     @property
     def estimate(self) -> Estimate | None:
         """Dexels, traces, memory and time of a simulation in the extended z-buffer."""
-        cost: Estimate | None = self.costs.get(ZBUFFER.name)
-        return cost
+        return self.costs.get(ZBUFFER.name)
 
     @property
     def length(self) -> float:

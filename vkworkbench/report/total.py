@@ -168,8 +168,7 @@ def _setup_seconds(counted: Sequence[Any]) -> float:
     """Return the time of tool changes and starts of the spindle, s. The first tool needs no tool change."""
     setups = [o.setup for o in counted if o.setup.tool]
     changes = [new for old, new in zip(setups, setups[1:]) if new.tool != old.tool]
-    seconds: float = sum(setup.spindle for setup in (*setups[:1], *changes)) + sum(setup.change for setup in changes)
-    return seconds
+    return sum(setup.spindle for setup in (*setups[:1], *changes)) + sum(setup.change for setup in changes)
 
 
 def has_unknown_cost(operation: Any) -> bool:

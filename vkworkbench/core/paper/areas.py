@@ -125,8 +125,7 @@ class Areas(Moves):
             closes[area[final]] = True
         phi, closing = self.signed[1][end - 1], closing_turns(self.alpha, begin, end)
         total = np.where(self.closed, total_turns(phi, closing, self._signs[1], TURNS.UNSIGNED), phi + closing)
-        result: np.ndarray = np.where(closes, total, phi)
-        return result
+        return np.where(closes, total, phi)
 
     @cached_property
     def signed_extremes(self) -> tuple[np.ndarray, np.ndarray]:

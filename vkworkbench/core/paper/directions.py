@@ -14,8 +14,7 @@ TURN = 2 * np.pi
 
 def directions(dx: np.ndarray, dy: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
     """Return alpha, the directions of moves (n,), rad in [-pi, pi]."""
-    result: np.ndarray = np.arctan2(dy, dx, out=out)
-    return result
+    return np.arctan2(dy, dx, out=out)
 
 
 @overload
@@ -123,8 +122,7 @@ def total_turns(phi: np.ndarray, closing: np.ndarray, last: np.ndarray, half: fl
     """
     sign = np.where(last, -last, np.where(np.abs(phi) > TURN, -1.0, 1.0) * np.copysign(1.0, phi))
     turned = np.where(np.abs(closing) > np.pi - half, closing + np.pi * (sign - np.copysign(1.0, closing)), closing)
-    result: np.ndarray = phi + turned
-    return result
+    return phi + turned
 
 
 def extremes(values: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

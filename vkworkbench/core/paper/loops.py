@@ -25,8 +25,7 @@ def closing_turns(alpha: np.ndarray, first: np.ndarray, end: np.ndarray) -> np.n
     first, end : (k,) int
         Stretch i consists of the moves from first[i] to end[i] - 1.
     """
-    result: np.ndarray = wrap(alpha[first] - alpha[end - 1])
-    return result
+    return wrap(alpha[first] - alpha[end - 1])
 
 
 def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.ndarray:
@@ -45,8 +44,7 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
     moves : (k,) int
         Number of moves in each stretch.
     """
-    result: np.ndarray = (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
-    return result
+    return (gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * np.sqrt(np.abs(enclosed)))) & (moves > 2)
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
@@ -54,14 +52,12 @@ def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
 
     A stretch encloses at most the area of a circle whose circumference is the length of the stretch.
     """
-    result: np.ndarray = gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
-    return result
+    return gap <= np.maximum(LOOPS.CLOSE, LOOPS.GAP * length / np.sqrt(4 * np.pi))
 
 
 def is_one_turn(net: np.ndarray) -> np.ndarray:
     """Return whether each net turn (k,), without its sign, is a full turn plus or minus a quarter turn, (k,) bool."""
-    result: np.ndarray = np.abs(np.rint(net / np.pi)) == 2
-    return result
+    return np.abs(np.rint(net / np.pi)) == 2
 
 
 def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
@@ -230,5 +226,4 @@ def winding_turns(moves: Moves, start: np.ndarray, end: np.ndarray, sense: np.nd
     # Each winding is shifted above all earlier windings, so that one running maximum starts anew in each winding.
     above = of * (np.ptp(climb) + TURN)
     level = np.floor((np.maximum.accumulate(climb + above) - above + TURNS.EXACT) * (1 / TURN))
-    result: np.ndarray = own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]
-    return result
+    return own[np.flatnonzero((level[1:] > level[:-1]) & (of[1:] == of[:-1])) + 1]

@@ -73,8 +73,7 @@ class Moves:
     def phi_extent(self) -> np.ndarray:
         """Difference between the highest and the lowest phi of each area, (a,) rad."""
         low, high = self.phi_extremes
-        found: np.ndarray = high - low
-        return found
+        return high - low
 
 
 def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
@@ -143,8 +142,7 @@ class _Steps:
     def goes_on(self, one: np.ndarray, two: np.ndarray) -> np.ndarray:
         """Return whether trajectories `two` (k,) have nearly the direction of trajectories `one` (k,), (k,) bool."""
         dx, dy, length = self.dx, self.dy, self.length
-        onward: np.ndarray = dx[two] * dx[one] + dy[two] * dy[one] > MOVES.ONWARD * length[two] * length[one]
-        return onward
+        return dx[two] * dx[one] + dy[two] * dy[one] > MOVES.ONWARD * length[two] * length[one]
 
 
 def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -274,5 +272,4 @@ def _holes(steps: _Steps, planar: np.ndarray) -> np.ndarray:
     down = down[~milled[block[down]]]
     x, y = steps.points[down + 1, 0], steps.points[down + 1, 1]
     left = (np.abs(x[1:] - x[:-1]) > MOVES.STILL) | (np.abs(y[1:] - y[:-1]) > MOVES.STILL)
-    result: np.ndarray = down[np.append(left, True)] if len(down) else down
-    return result
+    return down[np.append(left, True)] if len(down) else down

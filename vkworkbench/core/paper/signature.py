@@ -156,8 +156,7 @@ class Signature:
     @cached_property
     def length(self) -> np.ndarray:
         """Lengths L_k of V_k, (n,) mm (section 3.1)."""
-        result: np.ndarray = np.hypot(*self._v)
-        return result
+        return np.hypot(*self._v)
 
     @cached_property
     def theta(self) -> np.ndarray:

@@ -195,8 +195,7 @@ class Field:
     def is_raw_wall(self, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
         """Return whether walls belong to the raw stock, (k,) bool, in a field with one layer; see `owner_of_wall`."""
         pixel, records = self._pixel_of_cell[cell], self._zbuffer.records
-        raw: np.ndarray = ~((-height > records.entry[pixel]) & (-height <= records.ends[pixel])) | (pixel < 0)
-        return raw
+        return ~((-height > records.entry[pixel]) & (-height <= records.ends[pixel])) | (pixel < 0)
 
     @cached_property
     def thin_cuts(self) -> ThinCuts | None:

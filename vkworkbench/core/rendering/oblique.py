@@ -247,5 +247,4 @@ def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.nda
         index[pending] += width
         at, where = row[pending], index[pending]
         pending = pending[(low[where] > at) | (back[where] < at)]
-    result: np.ndarray = (index // width).reshape(height, width)
-    return result
+    return (index // width).reshape(height, width)

@@ -64,8 +64,7 @@ class Scene:
     @property
     def image(self) -> np.ndarray:
         """The colours, (height, width, 3) uint8, row 0 at the top."""
-        result: np.ndarray = (self.pixels[..., None] >> np.array((16, 8, 0), np.uint32)).astype(np.uint8)
-        return result
+        return (self.pixels[..., None] >> np.array((16, 8, 0), np.uint32)).astype(np.uint8)
 
     def averaged(self, factor: int) -> Scene:
         """Return a smaller picture, in which each colour is the mean of `factor` times `factor` pixels."""
@@ -181,8 +180,7 @@ def _draw_thin_cuts(
 def _packed(colors: np.ndarray, factor: float = 1.0) -> np.ndarray:
     """Return the colours `colors` (..., 3), multiplied by a factor, as numbers 0xffRRGGBB, (...) uint32."""
     red, green, blue = np.minimum(factor * np.moveaxis(colors, -1, 0), 255).astype(np.uint32)
-    result: np.ndarray = 0xFF000000 | red << np.uint32(16) | green << np.uint32(8) | blue
-    return result
+    return 0xFF000000 | red << np.uint32(16) | green << np.uint32(8) | blue
 
 
 def _shaded(color: np.ndarray, brightness: np.ndarray) -> np.ndarray:
@@ -264,8 +262,7 @@ def _light_tops(layer: Layer, cell: np.ndarray, towards: np.ndarray) -> np.ndarr
     """Return the brightness of the tops of the cells `cell`, (k,) float32."""
     brightness = light(layer.normals, towards)
     brightness *= layer.shadow
-    result: np.ndarray = brightness.ravel()[cell]
-    return result
+    return brightness.ravel()[cell]
 
 
 def _paint_walls(layer: Layer, walls: Walls, frame: Frame, towards: np.ndarray, brightness: np.ndarray) -> Walls:
@@ -293,8 +290,7 @@ def _nearest(one: _Drawn, other: _Drawn) -> _Drawn:
 def _light_of(frame: Frame) -> np.ndarray:
     """Return the direction to the light in a layer's coordinates, which are upside down in views from below."""
     mirror = np.array([1.0, 1.0, -1.0 if frame.direction[2] > 0 else 1.0])
-    towards: np.ndarray = mirror * (LIGHT @ np.array([frame.right, frame.up, -frame.direction]))
-    return towards
+    return mirror * (LIGHT @ np.array([frame.right, frame.up, -frame.direction]))
 
 
 def _in_border(colors: np.ndarray) -> np.ndarray:

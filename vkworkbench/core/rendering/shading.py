@@ -70,8 +70,7 @@ def shade(
 def _bends(depth: np.ndarray, pixel: float, axis: int) -> np.ndarray:
     """Return the change of slope at each pixel along an axis; 0 outside the part."""
     before, after = _steps(depth, pixel, axis)
-    result: np.ndarray = np.nan_to_num(np.abs(after - before))
-    return result
+    return np.nan_to_num(np.abs(after - before))
 
 
 def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.ndarray]:
@@ -128,8 +127,7 @@ def shadow(height: np.ndarray, cell: float) -> np.ndarray:
         around = _mean_of_rows(around, reach).T
     around = around.repeat(_SHADOW_CELLS, axis=0).repeat(_SHADOW_CELLS, axis=1)[: height.shape[0], : height.shape[1]]
     deep = (around - height) * np.float32(1 / (_SHADOW_CELLS * cell * (2 * reach + 1)))
-    result: np.ndarray = 1 - _SHADOW * np.clip(deep, 0, 1)
-    return result
+    return 1 - _SHADOW * np.clip(deep, 0, 1)
 
 
 def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
@@ -140,8 +138,7 @@ def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
     padded = np.pad(values, [(0, 0), (reach + 1, reach)], mode="edge")
     sums = np.cumsum(padded, axis=1, dtype=np.float64)
     length = 2 * reach + 1
-    result: np.ndarray = ((sums[:, length:] - sums[:, :-length]) / length).astype(np.float32)
-    return result
+    return ((sums[:, length:] - sums[:, :-length]) / length).astype(np.float32)
 
 
 def light(normal: tuple[np.ndarray, ...], towards: np.ndarray) -> np.ndarray:

@@ -31,20 +31,17 @@ class Costs:
     @property
     def legacy(self) -> LegacyCost | None:
         """The cost in FreeCAD's legacy simulator at the accuracy set in the preferences; None if it is unknown."""
-        cost: LegacyCost | None = self.costs.get(LEGACY.name)
-        return cost
+        return self.costs.get(LEGACY.name)
 
     @property
     def opengl(self) -> OpenGLCost | None:
         """The cost in FreeCAD's OpenGL simulator; None if it is unknown, or if this version has no such simulator."""
-        cost: OpenGLCost | None = self.costs.get(OPENGL.name)
-        return cost
+        return self.costs.get(OPENGL.name)
 
     @property
     def resolution(self) -> Resolution | None:
         """The z-buffer's image with the smallest pixels within the budget of the preferences; None if it is unknown."""
-        chosen: Resolution | None = self.advice.get(ZBUFFER.name)
-        return chosen
+        return self.advice.get(ZBUFFER.name)
 
     def cost(self, simulator: str) -> tuple[float, float] | None:
         """Return the time, s, and the memory, bytes, of a simulation; None if they are unknown.

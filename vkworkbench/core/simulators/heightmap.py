@@ -120,8 +120,7 @@ def _lower(tips: np.ndarray, points: np.ndarray, origin: np.ndarray, size: float
 def grid_shape(stock: Solid, size: float) -> np.ndarray:
     """Return the numbers of cells of `size` mm that cover the stock's bounding box in X and Y, (2,) int."""
     side = np.asarray(stock.upper, float)[:2] - np.asarray(stock.lower, float)[:2]
-    result: np.ndarray = np.maximum(np.ceil(side / size - 1e-9), 1).astype(int)
-    return result
+    return np.maximum(np.ceil(side / size - 1e-9), 1).astype(int)
 
 
 def motions_done(toolpath: Toolpath, parts: int) -> np.ndarray:

@@ -29,8 +29,7 @@ def from_data(name: str, data: Any) -> Cost:
         If `data` does not describe a cost, for example because another version of the add-on has written it.
     """
     kind = _kind(name)
-    cost: Cost = kind(**{field.name: _value(field.name, data[field.name]) for field in fields(kind)})
-    return cost
+    return kind(**{field.name: _value(field.name, data[field.name]) for field in fields(kind)})
 
 
 def _kind(name: str) -> type:

@@ -33,8 +33,7 @@ class Motions:
     @cached_property
     def level(self) -> np.ndarray:
         """(m,) length of each motion in the XY plane, mm; for an arc, the length of its chord."""
-        result: np.ndarray = np.hypot(self.move[:, 0], self.move[:, 1])
-        return result
+        return np.hypot(self.move[:, 0], self.move[:, 1])
 
 
 def motions(toolpath: Toolpath) -> Motions:
@@ -94,5 +93,4 @@ def _height_before_first_feed(toolpath: Toolpath, first: np.ndarray) -> np.ndarr
     """
     n = len(toolpath)
     index = np.where(toolpath.rapid, n, np.arange(n))
-    result: np.ndarray = toolpath.points[np.minimum.reduceat(index, first), 2]
-    return result
+    return toolpath.points[np.minimum.reduceat(index, first), 2]

@@ -116,8 +116,7 @@ def _seen(made: Motions, diameter: float, small: np.ndarray, chords: np.ndarray)
         x + across * diameter + (1 + across) * diameter / 2,
     )
     flat = np.select(kinds, (chords * disc, arc * diameter + disc, disc), made.level * diameter + disc / 2)
-    result: np.ndarray = _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
-    return result
+    return _TOOL_HEIGHT * np.cos(_TILT) * wide + np.sin(_TILT) * flat
 
 
 def outline_segments(tool: Tool) -> int:

@@ -62,8 +62,7 @@ class Clock:
             Removed volume of each trajectory, mm^3.
         """
         seconds = np.diff(self.ends)
-        rates: np.ndarray = 60 * volumes / np.where(seconds > 0, seconds, np.inf)
-        return rates
+        return 60 * volumes / np.where(seconds > 0, seconds, np.inf)
 
     def step(self, seconds: float) -> int:
         """Return how many trajectories are finished after `seconds` of machining."""

@@ -341,8 +341,7 @@ def _cuts(program: Program) -> np.ndarray:
     first = np.flatnonzero(falls & ~np.append(False, falls[:-1]))
     after = np.minimum(last + 1, len(rows) - 1)
     is_hole = (last == len(rows) - 1) | (motion[after] == RAPID) | vertical[after]
-    cuts: np.ndarray = np.union1d(rows[first[is_hole]], rows[(motion != RAPID) & ~vertical])
-    return cuts
+    return np.union1d(rows[first[is_hole]], rows[(motion != RAPID) & ~vertical])
 
 
 def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
@@ -365,15 +364,13 @@ def _heights(words: Words, rows: np.ndarray, motion: np.ndarray) -> np.ndarray:
     for value, is_relative in zip(values[sets].tolist(), relative[sets].tolist()):
         height = height + value if is_relative else value
         heights.append(height)
-    result: np.ndarray = np.array(heights)[np.append(0, np.cumsum(sets))]
-    return result
+    return np.array(heights)[np.append(0, np.cumsum(sets))]
 
 
 def _held(all_codes: np.ndarray, group: tuple[int, ...]) -> np.ndarray:
     """Return the code of a modal group in force at each command, (n,) int; -1 before the first code of the group."""
     last = np.maximum.accumulate(np.where(np.isin(all_codes, group), np.arange(len(all_codes)), -1))
-    held: np.ndarray = np.where(last >= 0, all_codes[last], -1)
-    return held
+    return np.where(last >= 0, all_codes[last], -1)
 
 
 def _form(title: str) -> str:

@@ -233,8 +233,7 @@ def evaluate(code: Postfix, variables: Variables) -> float | None:
             stack.append(float(variables.exists(what)))
         else:
             stack[-1] = 1.0  # EXISTS is true for every variable with a number
-    result: float | None = stack[0]
-    return result
+    return stack[0]
 
 
 def _result(function: Callable[..., float], *values: float) -> float:

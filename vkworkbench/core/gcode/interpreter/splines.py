@@ -50,5 +50,4 @@ def chords(code: int, words: dict[str, float], start: Point, end: Point) -> np.n
     count = min(max(ceil(sqrt(6 * bend / (8 * _TOLERANCE))), 1), _MOST_CHORDS)
     t = np.arange(1, count + 1)[:, None] / count
     weights = ((1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3)
-    result: np.ndarray = sum(weight * point for weight, point in zip(weights, controls))
-    return result
+    return sum(weight * point for weight, point in zip(weights, controls))

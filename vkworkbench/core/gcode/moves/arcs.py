@@ -43,8 +43,7 @@ class Arcs:
     @property
     def gap(self) -> np.ndarray:
         """Distance between the end point of each arc and the circle through its start point, (m,) mm."""
-        gap: np.ndarray = np.abs(self.radius[:, 1] - self.radius[:, 0])
-        return gap
+        return np.abs(self.radius[:, 1] - self.radius[:, 0])
 
 
 def resolve(
@@ -109,8 +108,7 @@ def chord_counts(arcs: Arcs, tolerance: float) -> np.ndarray:
     largest = np.maximum(arcs.radius.max(axis=1, initial=0.0), SAME_POINT)
     share = np.minimum(tolerance, largest) / (2 * largest)
     step = np.clip(4 * np.arcsin(np.sqrt(share)), SMALLEST_STEP, LARGEST_STEP)
-    result: np.ndarray = np.maximum(np.ceil(np.abs(arcs.sweep) / step - 1e-9), 1).astype(np.int64)
-    return result
+    return np.maximum(np.ceil(np.abs(arcs.sweep) / step - 1e-9), 1).astype(np.int64)
 
 
 def chords(

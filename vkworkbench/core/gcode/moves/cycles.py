@@ -124,8 +124,7 @@ def heights(
 
 def has_tiny_pecks(heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
     """Return whether the Q word of each cycle needs more than `MOST_PECKS` pecks, (m,) bool; see :func:`moves`."""
-    result: np.ndarray = (peck > 0) & (peck * MOST_PECKS <= heights[:, 1] - heights[:, 2])
-    return result
+    return (peck > 0) & (peck * MOST_PECKS <= heights[:, 1] - heights[:, 2])
 
 
 def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.ndarray:
@@ -135,8 +134,7 @@ def move_counts(code: np.ndarray, heights: np.ndarray, peck: np.ndarray) -> np.n
     pecks = np.ceil(depth / np.where(pecking, peck, np.inf) - 1e-9)
     # Each cycle has 3 moves to approach, 3 moves for each peck except for the last peck (feed, retract, return), a feed
     # to the bottom, a feed out of the hole (FEED_OUT only), and a retract. The return of G73 has zero length.
-    counts: np.ndarray = 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
-    return counts
+    return 3 + 3 * (np.maximum(pecks, 1.0).astype(np.int64) - 1) + 2 + np.isin(code, FEED_OUT)
 
 
 def moves(

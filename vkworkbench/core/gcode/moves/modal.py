@@ -115,8 +115,7 @@ class ModalState:
 
     def before(self, rows: np.ndarray) -> np.ndarray:
         """Return the position before each of the given commands, (m, 3) mm."""
-        result: np.ndarray = self.position[np.maximum(rows - 1, 0)]
-        return result
+        return self.position[np.maximum(rows - 1, 0)]
 
     def _feed(self) -> np.ndarray:
         values, unusable = self.words.column("F")

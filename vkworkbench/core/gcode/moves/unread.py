@@ -111,13 +111,11 @@ def _in_seconds(p: Any) -> Any:
 
 def _given(words: Words, letter: str) -> np.ndarray:
     values, unusable = words.column(letter)
-    result: np.ndarray = ~np.isnan(values) | unusable
-    return result
+    return ~np.isnan(values) | unusable
 
 
 def _changed(words: Words, letter: str) -> np.ndarray:
     """Return the indices of the commands that turn a rotary axis, (m,) int. The axis is at 0 until its first word."""
     values, unusable = words.column(letter)
     rows = np.flatnonzero(~np.isnan(values) | unusable)
-    result: np.ndarray = rows[np.diff(values[rows], prepend=0.0) != 0]
-    return result
+    return rows[np.diff(values[rows], prepend=0.0) != 0]

@@ -113,8 +113,7 @@ class Words:
     @property
     def two_codes(self) -> np.ndarray:
         """(m,) int : Rows of the commands with a parameter G (a second code), which some post processors leave out."""
-        rows: np.ndarray = self._rows[self._letters == ord("G")].astype(np.int64)
-        return rows
+        return self._rows[self._letters == ord("G")].astype(np.int64)
 
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of one parameter, and whether each value is unusable.
@@ -146,8 +145,7 @@ def _codes_of(numbers: np.ndarray) -> np.ndarray:
     """Return G-codes as ten times their numbers, (m,) int; UNKNOWN for numbers that are not G-codes."""
     usable = (numbers >= 0) & (numbers < 1000)
     tenths = np.rint(10 * np.where(usable, numbers, 0.0))
-    codes: np.ndarray = np.where(usable, tenths, UNKNOWN).astype(np.int64)
-    return codes
+    return np.where(usable, tenths, UNKNOWN).astype(np.int64)
 
 
 def _read(commands: Iterable[Any]) -> tuple[list[str], np.ndarray, str, np.ndarray]:

@@ -131,15 +131,13 @@ def _ways_in(moves: Areas) -> tuple[np.ndarray, np.ndarray]:
 def _first(start: np.ndarray, end: np.ndarray, which: np.ndarray) -> np.ndarray:
     """Return the first chosen move from start[i] to end[i] - 1, or end[i] if no move is chosen, (a,) int."""
     at = np.append(np.flatnonzero(which), len(which))
-    first: np.ndarray = np.minimum(at[np.searchsorted(at, start)], end)
-    return first
+    return np.minimum(at[np.searchsorted(at, start)], end)
 
 
 def _way_out(moves: Areas) -> np.ndarray:
     """Return how many moves climb at the end of each monotonous area, (a,)."""
     at = np.append(-1, np.flatnonzero(moves.dz <= LEVEL))
-    climbing: np.ndarray = moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
-    return climbing
+    return moves.end - 1 - np.maximum(at[np.searchsorted(at, moves.end) - 1], moves.start - 1)
 
 
 def _boxes(moves: Areas, first: np.ndarray, end: np.ndarray) -> np.ndarray:

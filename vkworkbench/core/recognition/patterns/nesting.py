@@ -118,13 +118,11 @@ class Inward(Dict[int, Shift]):
         A stepover is larger than rounding errors, and small compared with the rings.
         """
         size, step = self.shapes.size, self[lag].step
-        found: np.ndarray = (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
-        return found
+        return (step > ROUNDING.RING) & (step <= NESTS.LARGEST_STEP * np.maximum(size[lag:], size[:-lag]))
 
     def drop(self, lag: int) -> np.ndarray:
         """Return the difference in height to the ring `lag` rings later, (k - lag,) mm."""
-        drop: np.ndarray = np.abs(self.shapes.z[lag:] - self.shapes.z[:-lag])
-        return drop
+        return np.abs(self.shapes.z[lag:] - self.shapes.z[:-lag])
 
 
 def _beside_shared_sides(moved: np.ndarray, sides: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

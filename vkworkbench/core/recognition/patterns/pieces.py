@@ -165,8 +165,7 @@ def off_line(moves: Areas, start: np.ndarray, end: np.ndarray) -> np.ndarray:
         np.repeat(of, size) for of in (moves.dx[longest], moves.dy[longest], moves.x[start], moves.y[start])
     )
     across = (moves.y[at] + moves.dy[at] - y) * dx - (moves.x[at] + moves.dx[at] - x) * dy
-    result: np.ndarray = np.maximum.reduceat(np.abs(across), first) / moves.length[longest]
-    return result
+    return np.maximum.reduceat(np.abs(across), first) / moves.length[longest]
 
 
 class _Stretches:

@@ -233,44 +233,38 @@ class Pairs:
     @cached_property
     def smaller(self) -> np.ndarray:
         """Size of the smaller ring, (p,) mm."""
-        found: np.ndarray = np.minimum(*self.both(self.shapes.size))
-        return found
+        return np.minimum(*self.both(self.shapes.size))
 
     @cached_property
     def larger(self) -> np.ndarray:
         """Size of the larger ring, (p,) mm."""
-        found: np.ndarray = np.maximum(*self.both(self.shapes.size))
-        return found
+        return np.maximum(*self.both(self.shapes.size))
 
     @cached_property
     def level(self) -> np.ndarray:
         """Whether both rings have the same mean height, (p,) bool."""
         one, two = self.both(self.shapes.z)
-        level: np.ndarray = np.abs(one - two) < ROUNDING.HEIGHT
-        return level
+        return np.abs(one - two) < ROUNDING.HEIGHT
 
     @cached_property
     def beside(self) -> np.ndarray:
         """Whether both rings have the same depth, or at least one of them is not horizontal, (p,) bool."""
         one, two = self.both(self.shapes.flat)
-        found: np.ndarray = self.level | ~one | ~two
-        return found
+        return self.level | ~one | ~two
 
     @cached_property
     def same_box(self) -> np.ndarray:
         """Whether both rings have equal bounding boxes, up to rounding, (p,) bool."""
         rounding = ROUNDING.RING + ROUNDING.RING_OF_SIZE * self.larger
-        same: np.ndarray = np.maximum(-self.shift.low, self.shift.high) < np.minimum(
+        return np.maximum(-self.shift.low, self.shift.high) < np.minimum(
             rounding, max(ROUNDING.RING_OF_REACH * self.limit, ROUNDING.RING)
         )
-        return same
 
     @cached_property
     def same_area(self) -> np.ndarray:
         """Whether the rings enclose the same area, (p,) bool."""
         one, two = self.both(self.shapes.enclosed)
-        same: np.ndarray = np.abs(one - two) < ROUNDING.AREA * np.maximum(one, two)
-        return same
+        return np.abs(one - two) < ROUNDING.AREA * np.maximum(one, two)
 
     @cached_property
     def alike(self) -> np.ndarray:
@@ -279,8 +273,7 @@ class Pairs:
         Such a shift is rare in a lattice (rows that bounce from wall to wall).
         """
         low, high, mean, _ = self.shift
-        alike: np.ndarray = high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
-        return alike
+        return high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE
 
     @cached_property
     def offset(self) -> np.ndarray:
@@ -298,14 +291,12 @@ class Pairs:
         slack, other_slack = self.both(shapes.slack)
         parallel |= slack + other_slack > 2  # do not compare the lengths of a winding's turns, which are open
         near = (step > NESTS.APART) & (step <= self.limit)
-        found: np.ndarray = apart & near & parallel & (self.alike | ~(wavy & other_wavy))
-        return found
+        return apart & near & parallel & (self.alike | ~(wavy & other_wavy))
 
     @cached_property
     def nested(self) -> np.ndarray:
         """Whether one ring is an offset of the other at the same depth, (p,) bool."""
-        found: np.ndarray = self.offset & self.beside
-        return found
+        return self.offset & self.beside
 
 
 def _is_opposite(pairs: Pairs) -> np.ndarray:
@@ -364,8 +355,7 @@ def _equal(steps: np.ndarray) -> bool:
 
 def _widths(length: np.ndarray, enclosed: np.ndarray, slack: np.ndarray) -> np.ndarray:
     """Return the shorter side of the rectangle with each ring's area and perimeter, (k,) mm, for any orientation."""
-    result: np.ndarray = slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
-    return result
+    return slack * (length / 4 - np.sqrt(np.maximum((length / 4) ** 2 - enclosed, 0)))
 
 
 def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
@@ -377,5 +367,4 @@ def _sloped(pieces: Pieces, index: np.ndarray) -> np.ndarray:
     if not drop.any():
         return np.zeros(len(index), bool)
     off_middle = pieces.z[index] - pieces.last_z[index] + drop / 2
-    result: np.ndarray = (np.abs(drop) > ROUNDING.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))
-    return result
+    return (np.abs(drop) > ROUNDING.HEIGHT) & (np.abs(off_middle) < RINGS.STEADY * np.abs(drop))

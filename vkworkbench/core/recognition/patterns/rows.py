@@ -306,8 +306,7 @@ def _leaves_line(moves: Areas, before: np.ndarray, after: np.ndarray, forward: n
     gap_x = moves.x[after] - moves.x[before] - moves.dx[before]
     gap_y = moves.y[after] - moves.y[before] - moves.dy[before]
     back = (gap_x * u + gap_y * v > 0) != forward
-    result: np.ndarray = np.abs(gap_y * u - gap_x * v) > np.where(back, ROWS.FINEST, ROUNDING.PLACE)
-    return result
+    return np.abs(gap_y * u - gap_x * v) > np.where(back, ROWS.FINEST, ROUNDING.PLACE)
 
 
 def _sampled_lines(moves: Areas, passes: _Passes, axis: float) -> np.ndarray:

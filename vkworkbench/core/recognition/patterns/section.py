@@ -142,8 +142,7 @@ class Section:
         """
         angle, places = self._corrections
         small: np.ndarray = (places >= WINDINGS.CORRECTIONS) & (angle < WINDINGS.CORRECTION * places)
-        found: np.ndarray = self.pieces.flat[self.rings.index] & small
-        return found
+        return self.pieces.flat[self.rings.index] & small
 
     @cached_property
     def lattice(self) -> np.ndarray:
@@ -157,16 +156,14 @@ class Section:
         if wavy.any() and rings.nested[wavy].mean() > MAJORITY.SHARE:
             wavy[:] = False
         bouncing = rings.winding & ~self.hunting & (rings.back > WINDINGS.LATTICE_TURN * TURN)
-        found: np.ndarray = ~rings.nested & (rings.crossing | bouncing | wavy)
-        return found
+        return ~rings.nested & (rings.crossing | bouncing | wavy)
 
     @cached_property
     def _rowlike(self) -> np.ndarray:
         """Whether each piece possibly contains rows, (p,) bool."""
         rowlike = (self._kinds == ZIGZAG) | (self._kinds == STROKE)
         rowlike[self.rings.index[self.lattice]] = True
-        found: np.ndarray = rowlike
-        return found
+        return rowlike
 
     @cached_property
     def families(self) -> list[Rows]:
@@ -213,8 +210,7 @@ class Section:
     @cached_property
     def row_pieces(self) -> np.ndarray:
         """Whether each piece counts as a row or a stroke, (p,) bool."""
-        found: np.ndarray = (self._rowlike | self._closed_rows) & ~self.ring_pieces
-        return found
+        return (self._rowlike | self._closed_rows) & ~self.ring_pieces
 
     def share(self, rings: np.ndarray) -> float:
         """Return the share of the section's cutting length in the chosen rings."""
@@ -336,8 +332,7 @@ class Section:
 
 def _inward(inner: np.ndarray, outer: np.ndarray) -> np.ndarray:
     """Return how far boxes `inner` (k, 4) lie inside boxes `outer` (k, 4), the smallest of four sides, (k,) mm."""
-    least: np.ndarray = ((inner - outer) * _LOW).min(axis=1)
-    return least
+    return ((inner - outer) * _LOW).min(axis=1)
 
 
 def _absorbed(pieces: Pieces) -> np.ndarray:
@@ -365,8 +360,7 @@ def _retraced(moves: Areas, pieces: Pieces) -> np.ndarray:
     index = np.flatnonzero(pieces.kind == ZIGZAG)
     # Zigzags on a line enclose no area.
     index = index[np.abs(pieces.enclosed[index]) < ROUNDING.PLACE * pieces.length[index]]
-    on_line: np.ndarray = index[off_line(moves, pieces.start[index], pieces.end[index]) < ROUNDING.PLACE]
-    return on_line
+    return index[off_line(moves, pieces.start[index], pieces.end[index]) < ROUNDING.PLACE]
 
 
 def _long(pieces: Pieces, which: np.ndarray) -> np.ndarray:
@@ -375,8 +369,7 @@ def _long(pieces: Pieces, which: np.ndarray) -> np.ndarray:
     if not len(index):
         return index
     length = pieces.length[index]
-    result: np.ndarray = index[length > NEGLIGIBLE.PIECE * length.max()]
-    return result
+    return index[length > NEGLIGIBLE.PIECE * length.max()]
 
 
 def _turned_against(moves: Areas, pieces: Pieces, rings: Rings) -> Corrections:

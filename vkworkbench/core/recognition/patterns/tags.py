@@ -133,5 +133,4 @@ def _goes_on(moves: Areas, one: np.ndarray, two: np.ndarray) -> np.ndarray:
     ahead = np.minimum(before, after) > TAGS.AHEAD * gap
     near = gap < np.maximum(moves.area_length[one], moves.area_length[two])
     back = np.abs(closing_turns(moves.alpha, start, end + 1)) > np.pi - TURNS.UNSIGNED
-    result: np.ndarray = ((gap < ROUNDING.PLACE) | (ahead & near)) & ~back
-    return result
+    return ((gap < ROUNDING.PLACE) | (ahead & near)) & ~back

@@ -209,15 +209,13 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
 def _stretches(borders: Mapping[int, bool], cuts: list[CutSection]) -> np.ndarray:
     """Return for each section the number of certain borders (starts of operations) before it, (k,) int."""
     certain = np.append(0, np.cumsum([is_certain for _, is_certain in sorted(borders.items())]))
-    result: np.ndarray = certain[np.searchsorted(sorted(borders), [cut.begin for cut in cuts], side="right")]
-    return result
+    return certain[np.searchsorted(sorted(borders), [cut.begin for cut in cuts], side="right")]
 
 
 def _shares(toolpath: Toolpath, found: list[Recognition]) -> np.ndarray:
     """Return each section's share of the program's cutting length, (k,)."""
     length = np.array([sum(cutting_length(toolpath, s.first, s.last) for s in one.spans) for one in found])
-    share: np.ndarray = length / length.sum()
-    return share
+    return length / length.sum()
 
 
 def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np.ndarray:

@@ -151,16 +151,14 @@ def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
     def differ(values: np.ndarray, least: float = 1e-6) -> np.ndarray:
         """Return the relative difference of values that are not negative."""
         larger = np.maximum(values[a], values[b])
-        result: np.ndarray = np.abs(values[b] - values[a]) / np.maximum(larger, least)
-        return result
+        return np.abs(values[b] - values[a]) / np.maximum(larger, least)
 
     def ratio(values: np.ndarray, least: float) -> np.ndarray:
         """Return the absolute logarithm of the ratio of two values."""
         return np.minimum(np.abs(np.log((values[a] + least) / (values[b] + least))), 6.0)
 
     def same(values: np.ndarray) -> np.ndarray:
-        result: np.ndarray = (np.abs(values[b] - values[a]) < ROUNDING.HEIGHT).astype(float)
-        return result
+        return (np.abs(values[b] - values[a]) < ROUNDING.HEIGHT).astype(float)
 
     def higher(values: np.ndarray) -> np.ndarray:
         return (values[b] > values[a] + ROUNDING.HEIGHT).astype(float)
@@ -209,8 +207,7 @@ def compare_visits(visits: Visits) -> dict[str, np.ndarray]:
 
 def _ground(visits: Visits) -> np.ndarray:
     """Return the area of each visit's bounding box, (k,) mm2, which is small but positive for a drilled hole."""
-    area: np.ndarray = np.prod(visits.high - visits.low + VISITS.SMALL, axis=1)
-    return area
+    return np.prod(visits.high - visits.low + VISITS.SMALL, axis=1)
 
 
 def _shared_ground(visits: Visits, back: int) -> np.ndarray:
@@ -220,8 +217,7 @@ def _shared_ground(visits: Visits, back: int) -> np.ndarray:
         - np.maximum(visits.low[back:], visits.low[:-back])
         + VISITS.SMALL
     )
-    area: np.ndarray = np.prod(np.maximum(sides, 0.0), axis=1)
-    return area
+    return np.prod(np.maximum(sides, 0.0), axis=1)
 
 
 def _cut_again(visits: Visits) -> tuple[np.ndarray, np.ndarray]:

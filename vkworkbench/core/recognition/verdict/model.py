@@ -50,8 +50,7 @@ class Trees:
         while (asked := self.feature[node]).max() >= 0:
             node = node + self.ahead[node] + (cases[case, asked] > self.most[node])
         votes = self.votes[node].sum(axis=1, dtype=float)
-        result: np.ndarray = votes / votes.sum(axis=1, keepdims=True)
-        return result
+        return votes / votes.sum(axis=1, keepdims=True)
 
 
 @dataclass(frozen=True)
@@ -90,8 +89,7 @@ class Model:
 def log_odds(share: np.ndarray | float) -> np.ndarray:
     """Return the log odds of a share of the votes."""
     share = np.clip(share, VOTES.MIN_SHARE, 1 - VOTES.MIN_SHARE)
-    result: np.ndarray = np.log(share / (1 - share))
-    return result
+    return np.log(share / (1 - share))
 
 
 def read_trees(arrays: Mapping[str, np.ndarray], name: str) -> Trees:

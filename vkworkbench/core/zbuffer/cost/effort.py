@@ -149,8 +149,7 @@ def _shift_levels(levels: np.ndarray, growth: float) -> np.ndarray:
     whole = np.clip(np.floor(place).astype(int), 0, len(levels) - 2)
     known = np.log2(levels)
     steps = np.clip(np.diff(known), 0, 2)
-    finer: np.ndarray = 2 ** (known[whole] + steps[whole] * (place - whole))
-    return finer
+    return 2 ** (known[whole] + steps[whole] * (place - whole))
 
 
 def work_of(removal: Removal, trajectories: int, counts: Counts) -> Work:
@@ -311,5 +310,4 @@ def _parents(tiles: Tiles, smaller: Tiles) -> np.ndarray:
     place = (tiles.row // tiles.side) * width + tiles.column // tiles.side
     order = np.argsort(place)
     inside = (smaller.row // tiles.side) * width + smaller.column // tiles.side
-    found: np.ndarray = order[np.searchsorted(place[order], inside)]
-    return found
+    return order[np.searchsorted(place[order], inside)]

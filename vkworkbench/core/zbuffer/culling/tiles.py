@@ -223,8 +223,7 @@ def are_small(tiles: Tiles, slow: np.ndarray) -> np.ndarray:
     if tiles.side != 4:
         return np.full(len(tiles.column), tiles.side < 4)
     running = np.append(0, np.cumsum(slow.take(tiles.item)))
-    result: np.ndarray = 2 * np.diff(running.take(tiles.first)) > np.diff(tiles.first)
-    return result
+    return 2 * np.diff(running.take(tiles.first)) > np.diff(tiles.first)
 
 
 def first_tiles(trajectories: Trajectories, side: int, left: np.ndarray, bottom: np.ndarray) -> Tiles:

@@ -340,14 +340,12 @@ def _least_opening(tool: Tool, slopes: Slopes, squares: Squares, outer: np.ndarr
     at_high *= slope
     highest = np.maximum(at_low, at_high, out=at_low)
     highest += _profile(tool, distance2)
-    opened: np.ndarray = np.negative(highest, out=highest)
-    return opened
+    return np.negative(highest, out=highest)
 
 
 def _root(square: np.ndarray) -> np.ndarray:
     """Replace values by their square roots, and negative values by 0, in place; return the array."""
-    root: np.ndarray = np.sqrt(np.maximum(square, 0.0, out=square), out=square)
-    return root
+    return np.sqrt(np.maximum(square, 0.0, out=square), out=square)
 
 
 def _profile(tool: Tool, distance2: np.ndarray) -> np.ndarray | float:

@@ -341,8 +341,7 @@ def _pixels(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray, solid: S
             ring = 2 * pi * body.radius * (body.radius - cut.tool.radius)
             pixel[number] = min(pixel[number], body.radius / _ACROSS, sqrt(ring / _IN_RING) if ring > 0 else inf)
     of_cut = 2.0 ** np.floor(np.log2(np.maximum(pixel, _CLOSEST)))
-    result: np.ndarray = of_cut[cuts.cut]
-    return result
+    return of_cut[cuts.cut]
 
 
 def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alternation:
@@ -359,8 +358,7 @@ def _lifted(cuts: Cuts, bodies: Sequence[Body | None], low: np.ndarray) -> Alter
 
 def _parts(wanted: np.ndarray) -> np.ndarray:
     most = max(1, min(_MOST_PARTS, _PARTS_TOGETHER // max(1, int((wanted > 1).sum()))))
-    result: np.ndarray = np.clip(np.ceil(wanted), 1, most).astype(np.int64)
-    return result
+    return np.clip(np.ceil(wanted), 1, most).astype(np.int64)
 
 
 @dataclass(frozen=True, eq=False)

@@ -145,8 +145,7 @@ class _Check:
                 self._continue()
                 find(rays, moves[part], half_width[part])
             except _OutOfTime:
-                left: list[int] = moves[part.start :].tolist()
-                return left
+                return moves[part.start :].tolist()
         return []
 
     def _continue(self) -> None:

@@ -74,8 +74,7 @@ def cuts_air(zbuffer: ZBuffer, measured: Volumes | None = None) -> np.ndarray:
     begins = cuts.rapid.copy()
     begins[1:] |= (np.diff(cuts.cut) != 0) | (np.diff(stretch) != 0)
     group = np.cumsum(begins)
-    result: np.ndarray = ~cuts.rapid & (np.bincount(group, volumes)[group] == 0)
-    return result
+    return ~cuts.rapid & (np.bincount(group, volumes)[group] == 0)
 
 
 def engagement(zbuffer: ZBuffer, measured: Volumes | None = None) -> tuple[np.ndarray, np.ndarray]:

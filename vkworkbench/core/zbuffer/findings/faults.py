@@ -118,8 +118,7 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray) ->
 def touching(cuts: Cuts) -> np.ndarray:
     """Return the largest horizontal and the largest vertical depth at which a rapid only touches material, (2,) mm."""
     rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0, initial=0.0)
-    result: np.ndarray = np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
-    return result
+    return np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
@@ -198,8 +197,7 @@ def too_fast(cuts: Cuts) -> np.ndarray:
     start, end = cuts.ends
     run, fall = np.hypot(*(end - start)[:, :2].T), start[:, 2] - end[:, 2]
     allowed = _vertical_feeds(cuts)
-    result: np.ndarray = ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
-    return result
+    return ~cuts.rapid & (fall > _PLUNGE * run) & (allowed > 0) & (cuts.feed > _FASTER * allowed)
 
 
 def plunges_among(cuts: Cuts, plunges: np.ndarray, segments: RemovedSegments) -> list[Plunge]:
@@ -225,8 +223,7 @@ def plunges_among(cuts: Cuts, plunges: np.ndarray, segments: RemovedSegments) ->
 
 def _vertical_feeds(cuts: Cuts) -> np.ndarray:
     """Return the vertical feed of each trajectory's tool, (n,) mm/s; 0 if the feed is unknown."""
-    allowed: np.ndarray = np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
-    return allowed
+    return np.array([own.vertical_feed for own in cuts.cuts])[cuts.cut]
 
 
 def _displaced_volume(tool: Tool, depth: np.ndarray) -> np.ndarray:

@@ -205,8 +205,7 @@ def half_widths(tool: Tool, height: np.ndarray) -> np.ndarray:
         wide = tool.tip + np.maximum(height, 0.0) / tool.steepness
     else:
         wide = np.full(len(height), tool.radius)
-    result: np.ndarray = np.minimum(wide, tool.radius)
-    return result
+    return np.minimum(wide, tool.radius)
 
 
 class _Marked:
@@ -224,14 +223,12 @@ class _Marked:
         left, right = (self._pixel(column + end, fine.width, coarse.width, self._shift[0]) for end in (0, side))
         bottom, top = (self._pixel(row + end, fine.height, coarse.height, self._shift[1]) for end in (0, side))
         before, right, top = self._before, right + 1, top + 1
-        result: np.ndarray = before[top, right] - before[bottom, right] - before[top, left] + before[bottom, left] > 0
-        return result
+        return before[top, right] - before[bottom, right] - before[top, left] + before[bottom, left] > 0
 
     def _pixel(self, position: np.ndarray, fine: int, coarse: int, shift: float) -> np.ndarray:
         """Return the coarse image's column or row that contains each position (a column or row) of the fine image."""
         away = (position - fine / 2) * self._fine.pixel + shift
-        result: np.ndarray = np.clip(np.floor(away / self._coarse.pixel + coarse / 2), 0, coarse - 1).astype(np.int64)
-        return result
+        return np.clip(np.floor(away / self._coarse.pixel + coarse / 2), 0, coarse - 1).astype(np.int64)
 
 
 def parts_of(lengths: np.ndarray) -> Iterator[slice]:

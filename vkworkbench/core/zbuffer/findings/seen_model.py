@@ -175,8 +175,7 @@ def _extend_along_rows(free: np.ndarray, found: np.ndarray) -> np.ndarray:
     # next row. All pixels of such a run are connected with the image's edge, so joining two runs is harmless.
     run = np.cumsum(~free).reshape(free.shape)
     reached = np.bincount(run[found], minlength=int(run.max(initial=0)) + 1) > 0
-    extended: np.ndarray = free & reached[run]
-    return extended
+    return free & reached[run]
 
 
 def around(values: np.ndarray, extreme: np.ufunc) -> np.ndarray:

@@ -129,8 +129,7 @@ def _distances(front: np.ndarray, behind: np.ndarray, pixels: np.ndarray, pixel:
             for side, gap in enumerate((to_front, to_behind)):
                 away = np.hypot(across, np.maximum(gap, 0)).min(axis=1)
                 least[side, searched] = np.minimum(least[side, searched], away)
-    distances: np.ndarray = least.max(axis=0)
-    return distances
+    return least.max(axis=0)
 
 
 def _around(size: int) -> Iterator[tuple[float, np.ndarray]]:

@@ -136,8 +136,7 @@ def _part_of(rays: FineRays, segments: RemovedSegments, parts: np.ndarray) -> np
     along -= np.sqrt(np.maximum(trajectories.radius[item] ** 2 - aside**2, 0.0))
     count = parts[segments.owner + 1] - parts[segments.owner]
     number = np.floor(along / np.where(run > 0, run, 1.0) * count).astype(np.int64)
-    result: np.ndarray = parts[segments.owner] + np.clip(number, 0, count - 1)
-    return result
+    return parts[segments.owner] + np.clip(number, 0, count - 1)
 
 
 def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarray, float]:
@@ -167,5 +166,4 @@ def _shares_inside(start: np.ndarray, end: np.ndarray, margin: np.ndarray, stock
     to_lower = np.where(move == 0, -np.inf, (stock.lower[:2] - margin - start) / moving)
     to_upper = np.where(move == 0, np.inf, (stock.upper[:2] + margin - start) / moving)
     first, last = np.minimum(to_lower, to_upper).max(axis=1), np.maximum(to_lower, to_upper).min(axis=1)
-    result: np.ndarray = np.maximum(np.minimum(last, 1.0) - np.maximum(first, 0.0), 0.0)
-    return result
+    return np.maximum(np.minimum(last, 1.0) - np.maximum(first, 0.0), 0.0)

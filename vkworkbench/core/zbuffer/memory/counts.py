@@ -122,5 +122,4 @@ def _unconnected(segments: Segments, rays: int) -> np.ndarray:
     """
     owner, ray = segments.owner, segments.ray
     peak = np.flatnonzero((owner[1:-1] > owner[:-2]) & (owner[1:-1] > owner[2:]) & (ray[2:] == ray[:-2]))
-    found: np.ndarray = np.bincount(ray[peak], minlength=rays) > 0
-    return found
+    return np.bincount(ray[peak], minlength=rays) > 0

@@ -127,8 +127,7 @@ def _count_passes(removal: Removal, low: np.ndarray, side: np.ndarray) -> np.nda
     for begin in range(0, total, AT_ONCE):
         corner, sign = _corners(removal, np.arange(begin, min(begin + AT_ONCE, total)), low[:, None], side[:, None])
         counts += np.bincount(corner, sign, _CORNERS**2)
-    result: np.ndarray = np.rint(counts.reshape(_CORNERS, _CORNERS).cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
-    return result
+    return np.rint(counts.reshape(_CORNERS, _CORNERS).cumsum(axis=0).cumsum(axis=1)[:-1, :-1])
 
 
 def _corners(removal: Removal, item: np.ndarray, low: np.ndarray, side: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

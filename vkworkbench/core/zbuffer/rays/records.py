@@ -65,8 +65,7 @@ class Records:
     @property
     def cut(self) -> np.ndarray:
         """Whether a trajectory removes each segment, (p,) bool."""
-        result: np.ndarray = (self.owner != GAP) & (self.owner < self.trajectories)
-        return result
+        return (self.owner != GAP) & (self.owner < self.trajectories)
 
     @cached_property
     def has_gaps(self) -> bool:
@@ -161,8 +160,7 @@ class Records:
     def trace_index(self) -> np.ndarray:
         """Return the position in :meth:`traces` of each pixel's first element, (pixels + 1,) ndarray of INDEX."""
         before = np.append(0, np.cumsum(self.cut))
-        result: np.ndarray = before[self.index].astype(INDEX)
-        return result
+        return before[self.index].astype(INDEX)
 
 
 # Number of stretches of an array that `first_not_below` searches in one batch. The arrays of a larger batch would not

@@ -94,8 +94,7 @@ class Surface:
     def _removed(self, step: int, other: int) -> np.ndarray:
         """Return the pixels in which trajectories from `step` to `other` remove a visible segment, with repetitions."""
         first, pixels = self._by_owner
-        result: np.ndarray = pixels[first[min(step, other)] : first[max(step, other)]]
-        return result
+        return pixels[first[min(step, other)] : first[max(step, other)]]
 
     def _seen(self, step: int, pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the visible surface's depth, and the trajectory that cut it, at some pixels, by binary searches."""

@@ -112,10 +112,7 @@ def part_triangles(zbuffer: ZBuffer) -> np.ndarray:
         low = np.minimum(at[..., 2].astype(np.int64), len(depths) - 1)
         high, share = np.minimum(low + 1, len(depths) - 1), at[..., 2] - low
         depth = depths[low] * (1 - share) + depths[high].astype(float) * share
-        result: np.ndarray = (
-            frame.centre + x[..., None] * frame.right + y[..., None] * frame.up + depth[..., None] * frame.direction
-        )
-        return result
+        return frame.centre + x[..., None] * frame.right + y[..., None] * frame.up + depth[..., None] * frame.direction
 
     return point(triangles)
 
@@ -169,8 +166,7 @@ class _Lattice:
         The integers are consecutive along each line of the lattice that is parallel to the axis `axis`.
         """
         one, other = (own for own in range(3) if own != axis)
-        key: np.ndarray = (points[:, one] * self._size[other] + points[:, other]) * self._size[axis] + points[:, axis]
-        return key
+        return (points[:, one] * self._size[other] + points[:, other]) * self._size[axis] + points[:, axis]
 
     def triangles(self, faces: _Faces) -> np.ndarray:
         """Divide rectangles into triangles (t, 3, 3).

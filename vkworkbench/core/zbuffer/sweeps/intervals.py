@@ -153,8 +153,7 @@ def _bisected(tool: Tool, slope: np.ndarray, aside2: np.ndarray, half: np.ndarra
         rising = beyond * middle + slope * np.maximum(r, flat) * np.sqrt(tool.rounding**2 - beyond**2) > 0
         high = np.where(rising, middle, high)
         low = np.where(rising, low, middle)
-    result: np.ndarray = (low + high) / 2
-    return result
+    return (low + high) / 2
 
 
 def intervals(
@@ -260,14 +259,12 @@ def _facing(tool: Tool, at: np.ndarray, depth: np.ndarray, move: np.ndarray, sin
     y, z = y + depth * sine, z - depth * cosine
     r = np.sqrt(x * x + y * y)
     outwards = divide(np.maximum(r - (tool.radius - tool.rounding), 0), r)
-    facing: np.ndarray = outwards * (x * move[0] + y * move[1]) + np.minimum(z, 0) * move[2]
-    return facing
+    return outwards * (x * move[0] + y * move[1]) + np.minimum(z, 0) * move[2]
 
 
 def _from_corner(tool: Tool, offset: np.ndarray) -> np.ndarray:
     """Convert offsets from the tool's tip into offsets from the centre of the rounding."""
-    moved: np.ndarray = offset - np.array([[0.0], [0.0], [tool.rounding]])
-    return moved
+    return offset - np.array([[0.0], [0.0], [tool.rounding]])
 
 
 def _straight_chord(tool: Tool, at: np.ndarray, sine: float, cosine: float) -> tuple[np.ndarray, np.ndarray]:

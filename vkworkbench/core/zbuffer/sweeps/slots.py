@@ -210,8 +210,7 @@ class _Walls:
 
     def touched(self, sign: int) -> np.ndarray:
         """Return the tool position t at which a ray enters (sign -1) or leaves (sign 1) a wall of the endless slot."""
-        touched: np.ndarray = self.x * self.inverse + sign * self.reach
-        return touched
+        return self.x * self.inverse + sign * self.reach
 
     def chord_end(self, t: np.ndarray, sign: int) -> np.ndarray:
         """Return the horizontal distance along the ray from the tool's axis to the wall at the positions `touched`, mm.
@@ -234,8 +233,7 @@ class _Walls:
         half = t * self.ux
         np.subtract(self.x, half, out=half)
         half *= half
-        result: np.ndarray = np.subtract(self.radius**2 + RIM, half, out=half)
-        return result
+        return np.subtract(self.radius**2 + RIM, half, out=half)
 
 
 def _signed_root(square: np.ndarray, sign: int) -> np.ndarray:

@@ -194,10 +194,7 @@ class Trajectories:
         left, right, bottom, top = self.box.take(item, axis=1)
         nx, ny, low, high = self.strip.take(item, axis=1)
         across = nx * x + ny * y
-        result: np.ndarray = (
-            (left <= x) & (x <= right) & (bottom <= y) & (y <= top) & (low <= across) & (across <= high)
-        )
-        return result
+        return (left <= x) & (x <= right) & (bottom <= y) & (y <= top) & (low <= across) & (across <= high)
 
     def intervals(
         self, x: np.ndarray, y: np.ndarray, item: np.ndarray, tools: Sequence[tuple[Tool | None, float]] | None = None
@@ -262,8 +259,7 @@ def passes_over(start: np.ndarray, end: np.ndarray, radius: np.ndarray | float, 
     """
     start, end, radius = start[:, :2], end[:, :2], np.reshape(radius, (-1, 1))
     low, high = np.minimum(start, end) - radius, np.maximum(start, end) + radius
-    over: np.ndarray = ((low < solid.upper[:2]) & (high > solid.lower[:2])).all(axis=1)
-    return over
+    return ((low < solid.upper[:2]) & (high > solid.lower[:2])).all(axis=1)
 
 
 def as_cut(start: np.ndarray, end: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
