@@ -19,7 +19,8 @@ from vkworkbench.language import ENGLISH, Message, render
 from vkworkbench.report.spreadsheet import as_cell
 from vkworkbench.report.text_table import how_many, line, printable, widths_of
 
-_WIDTH = 400  # maximum length of a remark printed below the table, characters
+_MOST_FAULTS = 20  # maximum number of faults printed below the table
+_WIDTH = 2000  # maximum length of a sentence printed below the table, characters
 
 
 @dataclass(frozen=True)
@@ -134,12 +135,30 @@ class SimulationFacts:
         )
         rows = [header, *(_row(label, facts) for label, facts in (*self.operations, ("job", self.job)))]
         widths = widths_of(rows)
+        remarks = [one for one in self.remarks if one not in self.verdict.unread[:1]]  # the verdict contains this one
         return "\n".join(
             [
                 *(line(row, widths, left={0}) for row in rows),
-                *(printable(render(one), _WIDTH) for one in (self.sentence, *self.remarks)),
+                *self._faults(),
+                *(printable(render(one), _WIDTH) for one in (self.sentence, *remarks)),
             ]
         )
+
+    def _faults(self) -> list[str]:
+        """Return one line of text for each of the first faults, with the operation and the command."""
+        faults = self.job.faults
+        lines = []
+        for source, what in faults[:_MOST_FAULTS]:
+            place = "Stock"
+            if source is not None:
+                place = f"{printable(self.operations[source.cut][0])}, {self._command(source.command)}"
+            lines.append(f"{place}: {render(what)}")
+        if len(faults) > _MOST_FAULTS:
+            lines.append(f"{how_many(len(faults) - _MOST_FAULTS, 'more fault')}; to_json writes all faults.")
+        return lines
+
+    def _command(self, number: int) -> str:
+        return f"line {number}" if self.verdict.lines else f"command {number + 1}"
 
 
 def _cells(column: np.ndarray) -> list[Any]:

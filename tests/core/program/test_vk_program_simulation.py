@@ -135,7 +135,7 @@ def test_simulate_command_prints_facts_and_saves_files(program, tmp_path):
         tmp_path / "a.stl",
     )
     assert done.returncode == 0 and not done.stderr
-    assert "1 rapid cuts into material." in done.stdout and "Engrave" in done.stdout
+    assert f"Pocket, line {CRASH}: A rapid move removes" in done.stdout and "Engrave" in done.stdout
     assert (tmp_path / "a.png").exists() and (tmp_path / "a.stl").exists()
 
 

@@ -6,19 +6,18 @@ from __future__ import annotations
 import csv
 import json
 from dataclasses import replace
-from types import SimpleNamespace
 
 import numpy as np
 
-from vkworkbench.core.zbuffer import CutFacts, Source, Verdict
+from vkworkbench.core.zbuffer import Crash, CutFacts, Deviation, Plunge, Source, Verdict
 from vkworkbench.language import Message, render
 from vkworkbench.report import SimulationFacts
 
 
-def fault(command=None, **numbers):
-    """Return a faulty place, caused by a command or by no command."""
-    source = command and SimpleNamespace(command=command)
-    return SimpleNamespace(source=source, last=source, place=(1.0, 2.0, 3.0), **numbers)
+def fault(kind, command=None, **numbers):
+    """Return a fault of the second operation, caused by a command or by no command."""
+    source = command and Source(1, command, command)
+    return kind(trajectory=command, source=source, place=(1.0, 2.0, 3.0), **numbers)
 
 
 CLEAN = CutFacts(
@@ -28,10 +27,10 @@ CLEAN = CutFacts(
 )  # fmt: skip
 FAULTY = replace(
     CLEAN,
-    crashes=(fault(3, depth=2.0, volume=50.0), fault(6, depth=1.0, volume=9.0)),
-    fast_plunges=(fault(4, feed=5.0, allowed=2.0),),
-    gouges=(fault(5, depth=0.25, area=1.0), fault(7, depth=0.75, area=1.0)),
-    left=(fault(depth=1.5, area=1.0), fault(depth=0.5, area=1.0)),
+    crashes=(fault(Crash, 3, depth=2.0, volume=50.0), fault(Crash, 6, depth=1.0, volume=9.0)),
+    fast_plunges=(fault(Plunge, 4, feed=5.0, allowed=2.0),),
+    gouges=(fault(Deviation, 5, depth=0.25, area=1.0), fault(Deviation, 7, depth=0.75, area=1.0)),
+    left=(fault(Deviation, depth=1.5, area=1.0), fault(Deviation, depth=0.5, area=1.0)),
 )
 FOUND = SimulationFacts(
     (("Fräsen", CLEAN), ("=Pocket", FAULTY)),
@@ -53,7 +52,7 @@ def read(path):
 
 
 def test_simulation_table_has_lines_for_operations_and_the_job():
-    header, clean, faulty, job, verdict = str(FOUND).splitlines()
+    header, clean, faulty, job, *_, verdict = str(FOUND).splitlines()
     assert header.split()[0] == "operation"
     # The operation "Fräsen" has no faults.
     assert clean.split() == ["Fräsen", "12.34", "0.01", "18.51", "30.00", "25%"]
@@ -69,9 +68,37 @@ def test_simulation_remarks_are_below_the_table(tmp_path):
     assert json.loads((tmp_path / "facts.json").read_text(encoding="utf-8"))["remarks"] == [render(told.remarks[0])]
 
 
+def test_faults_are_below_the_table_with_operation_and_command():
+    lacks = fault(Deviation, depth=4.0, area=1.0)
+    found = replace(FOUND, job=replace(FAULTY, gouges=(*FAULTY.gouges, lacks)))
+    assert str(found).splitlines()[4:-1] == [
+        "=Pocket, command 4: A rapid move removes 50 mm³.",
+        "=Pocket, command 7: A rapid move removes 9 mm³.",
+        "=Pocket, command 6: The tool cuts 0.25 mm into the model.",
+        "=Pocket, command 8: The tool cuts 0.75 mm into the model.",
+        "Stock: The stock is 4 mm too small for the model. Choose a larger stock, or move the model within it.",
+        "=Pocket, command 5: The tool plunges into full material at 300 mm/min. Its limit is 120 mm/min.",
+    ]
+    of_program = replace(found, verdict=Verdict(lines=True))
+    assert str(of_program).splitlines()[4] == "=Pocket, line 3: A rapid move removes 50 mm³."
+
+
+def test_long_list_of_faults_ends_with_their_number():
+    many = replace(FOUND, job=replace(FAULTY, crashes=FAULTY.crashes[:1] * 30))
+    *_, last, more, _ = str(many).splitlines()
+    assert (last, more) == (str(FOUND).splitlines()[4], "13 more faults; to_json writes all faults.")
+
+
+def test_long_verdict_is_printed_whole_and_its_reason_once():
+    reason = Message("of", label="Top face", sentence=Message("no-stock", label="Job " * 200))
+    found = replace(FOUND, remarks=(reason,), verdict=Verdict(pixel=0.1, unread=(reason,)))
+    text = str(found)
+    assert text.endswith("Shank, holder and clamps were not checked.") and text.count("Top face") == 1
+
+
 def test_depth_of_missing_stock_has_its_own_column(tmp_path):
-    found = replace(FOUND, job=replace(FAULTY, gouges=(*FAULTY.gouges, fault(depth=4.0, area=1.0))))
-    header, _, faulty, job, _ = str(found).splitlines()
+    found = replace(FOUND, job=replace(FAULTY, gouges=(*FAULTY.gouges, fault(Deviation, depth=4.0, area=1.0))))
+    header, _, faulty, job, *_ = str(found).splitlines()
     assert header.endswith("gouged    left  stock lacks")
     assert job.split()[-6:] == ["0.8", "mm", "1.5", "mm", "4.0", "mm"]
     assert faulty.split()[-2:] == ["1.5", "mm"]
@@ -101,7 +128,7 @@ def test_repr_of_simulation_facts_is_one_line():
 
 def test_table_columns_fit_widest_cell():
     found = replace(FOUND, operations=(("A long label " * 3, CLEAN), ("x" * 70, CLEAN)))
-    header, long, longest, job, _ = str(found).splitlines()
+    header, long, longest, job, *_ = str(found).splitlines()
     assert longest.startswith("x" * 59 + "…  ") and long.startswith("A long label")
     assert header.index("removed, cm3") == 60 + 2
     for line in (long, longest, job):  # Numbers are aligned with the right end of their heading.
@@ -109,7 +136,11 @@ def test_table_columns_fit_widest_cell():
 
 
 def test_labels_cannot_break_the_table_or_the_terminal():
-    assert str(replace(FOUND, operations=(("Top\n\x1b[2Jface", CLEAN),))).splitlines()[1].startswith("Top [2Jface  ")
+    assert (
+        str(replace(FOUND, operations=(("Top\n\x1b[2Jface", CLEAN),), job=CLEAN))
+        .splitlines()[1]
+        .startswith("Top [2Jface  ")
+    )
 
 
 def test_simulation_facts_are_written_as_csv_and_json(tmp_path):

@@ -88,11 +88,8 @@ def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:
         Whether to find the largest differences from the model, too.
     """
     job = findings.facts.job
-    collided = [_fault(c, c.what, True) for c in job.collisions]
-    collided += [_fault(c, Message("rapid-cuts", volume=c.volume), True) for c in job.crashes]
-    plunged = [
-        _fault(p, Message("plunges-fast", feed=60 * p.feed, allowed=60 * p.allowed), False) for p in job.fast_plunges
-    ]
+    collided = [_fault(one, one.what, True) for one in (*job.collisions, *job.crashes)]
+    plunged = [_fault(one, one.what, False) for one in job.fast_plunges]
     beyond = job if tolerance == TOLERANCE else findings.along_axis.facts(tolerance).job
     gouged = [_gouge(one) for one in beyond.gouges]
     worst = differences(findings, tolerance) if compares else None
@@ -112,8 +109,7 @@ def differences(findings: Findings, tolerance: float) -> list[Fault]:
 
 def _gouge(one: Deviation) -> Fault:
     """Return the fault for missing material, which either a command has cut away or the stock never had."""
-    lacks, cut = Message("stock-lacks", depth=one.depth), Message("cuts-model", depth=one.depth)
-    return _fault(one, lacks if one.source is None else cut, True)
+    return _fault(one, one.gouge_message, True)
 
 
 def _fault(one, what: Message, serious: bool) -> Fault:

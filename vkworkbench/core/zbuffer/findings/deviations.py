@@ -16,6 +16,7 @@ from vkworkbench.core.zbuffer.rays.records import GAP, first_not_below
 from vkworkbench.core.zbuffer.rays.surface import STOCK
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Source
+from vkworkbench.language import Message
 
 # Default tolerance for deviations from the model, mm.
 TOLERANCE = 0.1
@@ -58,6 +59,13 @@ class Deviation:
     depth: float
     area: float
     last: Source | None = None
+
+    @property
+    def gouge_message(self) -> Message:
+        """A message that describes a gouge, or the place where the stock is too small for the model."""
+        if self.source is None:
+            return Message("stock-lacks", depth=self.depth)
+        return Message("cuts-model", depth=self.depth)
 
 
 def gouges(zbuffer: ZBuffer, found: Deviations, tolerance: float) -> list[Deviation]:

@@ -16,6 +16,7 @@ from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.intervals import headings, lowest
 from vkworkbench.core.zbuffer.sweeps.trajectories import as_cut
+from vkworkbench.language import Message
 
 # _PLUNGE: slope (descent divided by horizontal length) above which a downward move is a plunge. _FULL: a plunge is into
 # full material if it removes more than this share of the volume that the tool displaces.
@@ -60,6 +61,11 @@ class Crash:
     place: tuple[float, float, float]
     depth: float
     volume: float
+
+    @property
+    def what(self) -> Message:
+        """A message that describes the crash."""
+        return Message("rapid-cuts", volume=self.volume)
 
 
 def crashes(zbuffer: ZBuffer) -> list[Crash]:
@@ -177,6 +183,11 @@ class Plunge:
     place: tuple[float, float, float]
     feed: float
     allowed: float
+
+    @property
+    def what(self) -> Message:
+        """A message that describes the plunge."""
+        return Message("plunges-fast", feed=60 * self.feed, allowed=60 * self.allowed)
 
 
 def fast_plunges(zbuffer: ZBuffer) -> list[Plunge]:

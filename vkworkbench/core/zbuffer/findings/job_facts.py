@@ -20,8 +20,9 @@ from vkworkbench.core.zbuffer.findings.thin_gouges import ThinGouges
 from vkworkbench.core.zbuffer.findings.verdict import Verdict
 from vkworkbench.core.zbuffer.findings.volumes import Volumes
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
+from vkworkbench.core.zbuffer.sweeps.cuts import Source
 from vkworkbench.given import number
-from vkworkbench.language import render
+from vkworkbench.language import Message, render
 
 # Length of the time windows for the peak removal rate, s. With shorter windows, the rate would depend on single pixels.
 # Longer windows average out short peaks.
@@ -99,6 +100,16 @@ class CutFacts:
     def air_time_share(self) -> float:
         """Share of the feed moves' time during which nothing is removed, 0 to 1."""
         return self.air_seconds / self.cutting_seconds if self.cutting_seconds else 0.0
+
+    @property
+    def faults(self) -> tuple[tuple[Source | None, Message], ...]:
+        """Source and message of each fault: collisions, crashes, gouges and places without stock, fast plunges."""
+        return (
+            *((one.source, one.what) for one in self.collisions),
+            *((one.source, one.what) for one in self.crashes),
+            *((one.source, one.gouge_message) for one in self.gouges),
+            *((one.source, one.what) for one in self.fast_plunges),
+        )
 
     def as_dict(self) -> dict[str, Any]:
         """Return the facts of the simulation as a dictionary of numbers, and of lists of faults with their places.
