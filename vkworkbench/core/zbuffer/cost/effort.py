@@ -44,9 +44,9 @@ _SEED = 2002
 # of a cell (cut ray) if the ray's removed intervals must be sorted. RECORDS is the cost of a record (dexel, trace
 # element or gap) in a vertical view and in an oblique view. With a bull-nose in an oblique view, cutting a ray that
 # meets the tool between the ends of the move takes about three times as long as cutting a ray that meets the tool at an
-# end, whether the move is level or sloped. Therefore the elements 13 and 15 have different meanings in TESTS and CELLS.
-# In TESTS, they are for level and for sloped moves of a bull-nose. In CELLS, they are for rays that meet a bull-nose at
-# an end of the move and between the ends.
+# end, whether the move is level or sloped. Therefore elements 13 and 15 of TESTS and CELLS stand for different kinds.
+# In TESTS, elements 13 and 15 are the costs for level and for sloped moves of a bull-nose. In CELLS, elements 13 and 15
+# are the costs for rays that meet a bull-nose at an end of the move and between the ends.
 KINDS = 16
 _AT_END, _BETWEEN = 13, 15
 TESTS = np.array(

@@ -258,7 +258,7 @@ def quartered(trajectories: Trajectories, bounds: Bounds, tiles: Tiles) -> Tiles
 def deeper_pairs(
     tile: np.ndarray, start: np.ndarray, reach: np.ndarray, opens: np.ndarray, near: float, far: float
 ) -> np.ndarray:
-    """Return the pairs of a tile and a trajectory that reaches deeper than earlier ones have cut the whole tile.
+    """Return the pairs whose trajectory reaches deeper than earlier trajectories have cut the whole tile.
 
     Parameters
     ----------

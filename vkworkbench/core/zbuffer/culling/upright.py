@@ -279,9 +279,9 @@ def _deepest_reach(
     along, _, extent, half_run, _ = squares
     flat, corner = tool.radius - tool.rounding, tool.rounding
     slope = slopes.slope
-    # The line of the move has two heights, one at each end of the square. All heights below are measured from the
-    # smaller of the two heights. While the tool is above the square, its axis is on the move, and at most half a chord
-    # of the tool away from the square.
+    # The move's line has a different height at each end of the square. The code below measures heights from the smaller
+    # of the two heights of the move's line. While the tool is above the square, its axis is on the move, and at most
+    # half a chord of the tool away from the square.
     half = _root(tool.radius**2 - inner2)
     reach = half_run - extent
     first = np.maximum(-along - reach, -half)

@@ -49,7 +49,7 @@ _FALL = 0.5
 # _SHARE: length of one part, as a share of the difference between the radii of body (shank or holder) and tool.
 # _MOST_PARTS: largest number of parts of one move. _PARTS_TOGETHER: largest number of parts of all moves together.
 _SHARE, _MOST_PARTS, _PARTS_TOGETHER = 0.5, 1000, 200_000
-# Angle between the rows of rays and the X axis, rad. Few walls are parallel to this direction.
+# Angle between the rows of rays and the X axis, rad; few walls have this direction.
 _TURN = 0.3
 # _RAYS: minimum number of rays in the rectangle that the shanks or holders pass over. _ACROSS: minimum number of rays
 # along a radius of the shank or holder.

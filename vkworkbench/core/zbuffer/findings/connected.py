@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Group the cells of a grid that are connected, and group numbers that are connected through pairs."""
+"""Group the connected cells of a grid, and put numbers that are connected through pairs into groups."""
 
 from __future__ import annotations
 

@@ -132,7 +132,7 @@ class SeenModel:
         The slot can be narrower than `_BESIDE` pixels.
         """
         loose: np.ndarray = self._walls & (np.fmin(part, np.inf) >= self.floor)
-        if loose.any():  # False in most parts, which have no through holes
+        if loose.any():  # most parts have no through holes
             for _ in range(_BESIDE - 1):
                 loose = around(loose, np.maximum)
         return loose

@@ -9,8 +9,8 @@ from math import ceil, hypot
 
 import numpy as np
 
-# Relative error that is allowed in the result. A pixel is not searched if the distance between the surfaces there
-# exceeds the largest distance found so far by less than this share, or by less than the side of a pixel.
+# Relative error that is allowed in the result. A pixel is searched only if its distance along the view exceeds the
+# largest distance found so far by more than this share, and by more than the side of a pixel.
 _ALIKE = 0.02
 # The pixels are searched in several passes, first only every 64th pixel in each direction, and finally all pixels. A
 # few pixels of a coarse pass exclude many pixels of the later passes.

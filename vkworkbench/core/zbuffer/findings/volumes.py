@@ -157,7 +157,7 @@ def _strips(cuts: Cuts, number: int, stock: Solid) -> tuple[np.ndarray, np.ndarr
 
 
 def _shares_inside(start: np.ndarray, end: np.ndarray, margin: np.ndarray, stock: Solid) -> np.ndarray:
-    """Return the share of each segment (k, 2) inside the stock's bounding box.
+    """Return the share of the length of each move, seen from above, that is inside the stock's bounding box, (k,).
 
     The box is enlarged by a margin (k, 1), mm.
     """

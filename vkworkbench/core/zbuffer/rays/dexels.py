@@ -118,10 +118,10 @@ def _lowest_cover(slots: int, first: np.ndarray, last: np.ndarray, value: np.nda
     """Return, for each slot (an index of the result), the lowest value of the ranges that contain the slot, (slots,).
 
     A range contains a slot if ``first <= slot < last``. Each range is covered by two shorter ranges, which can overlap;
-    the length of both is the largest power of two that is not longer than the range. Both shorter ranges receive the
-    value in the table for this power of two. Starting with the largest power of two, the values of each table are then
-    passed on to the table for half the length, until each shorter range consists of one slot. The method is a sparse
-    table for range minimum queries, used in reverse.
+    the length of both is the largest power of two that is not longer than the range. There is a table for each power of
+    two; both shorter ranges store the value in the table for their length. Then, from the largest power of two down,
+    the value of a range moves to the table for half the length, once for each half. The method is a sparse table for
+    range minimum queries, used in reverse.
     """
     cover = np.full(slots, UNCUT, np.int32)
     if len(first) == 0:

@@ -23,8 +23,8 @@ def opening(depth: np.ndarray, tile: np.ndarray, start: np.ndarray, near: np.nda
         Depth to which a trajectory opens a ray, mm; NaN if the trajectory misses the ray. Each row belongs to one of
         the q pixels of a tile, each column to one of p pairs of a tile and a trajectory.
     tile : (p,) ndarray of int
-        Tile of each pair of a tile and a trajectory, ascending. The pairs of one tile are in the order in which their
-        trajectories are cut.
+        Tile of each pair of a tile and a trajectory, ascending. Within one tile, the trajectories are in the order of
+        cutting.
     start : (t,) ndarray of int
         Position of each tile's first pair of a tile and a trajectory.
     near, far : (q, t) ndarray

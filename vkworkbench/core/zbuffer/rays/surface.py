@@ -5,8 +5,8 @@ At moment k (before trajectory k is simulated), the visible segment of a ray is 
 trajectory before k removes. The owner of a segment is the number of the trajectory that removes the segment. A segment
 can become visible only if the segment is removed later than all segments between the eye and the segment. Owners that
 are greater than all owners nearer to the eye (the prefix maxima) ascend along the ray, so a binary search finds the
-visible segment for any k, whether the simulation runs forwards or backwards. The interval treap by Blasquez and
-Poiraudeau (2000) solves the same problem.
+visible segment for any k, whether the simulation runs forwards or backwards. Blasquez and Poiraudeau (2000) solve the
+same problem with an interval treap.
 """
 
 from __future__ import annotations

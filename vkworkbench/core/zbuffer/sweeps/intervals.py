@@ -7,12 +7,12 @@ the right in the image, the y axis in the horizontal direction of the rays, and 
 direction (0, sine, -cosine), with the sine and cosine of the angle between the view and the vertical.
 
 For flat and ball ends, slots.py computes the interval in closed form. For other tools, let t from 0 to 1 be the
-position of the tool on its move. For each t, the ray enters and leaves the tool at some depth. The interval of the
-swept volume begins at the smallest of all entry depths and ends at the largest of all exit depths. The position t for
-the smallest entry or the largest exit is an end of the move, a t where the ray touches a side face of the swept volume,
-or a t where the ray meets the edge between two faces. Closed forms give the few candidates for t. For bull-nose mills,
-the candidates are found by bisection of a monotone function. The entry and the exit are then computed at each
-candidate. For short moves, the ends of the move are usually the right candidates.
+position of the tool on its move. At each position t of the tool, the ray enters the tool at one depth and leaves it at
+another. The interval of the swept volume begins at the smallest of all entry depths and ends at the largest of all exit
+depths. The position t for the smallest entry or the largest exit is an end of the move, a t where the ray touches a
+side face of the swept volume, or a t where the ray meets the edge between two faces. Closed forms give a few candidates
+for the position t. For bull-nose mills, the candidates are found by bisection of a monotone function. The entry and the
+exit are then computed at each candidate. For short moves, the ends of the move are usually the right candidates.
 """
 
 from __future__ import annotations

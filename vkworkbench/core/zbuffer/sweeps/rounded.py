@@ -58,7 +58,7 @@ def rounded_chord(
             x, y, z = at[:, active]
             s = depths[active]
             y, z = y + s * sine, z - s * cosine
-            r = np.sqrt(x * x + y * y)  # np.hypot takes several times as long
+            r = np.sqrt(x * x + y * y)  # np.hypot would take several times as long
             beyond = np.maximum(r - (tool.radius - tool.rounding), 0)
             distance = np.sqrt(beyond * beyond + z * z)
             fall = -ahead * (sine * y * divide(beyond, r) - cosine * z)
@@ -77,9 +77,9 @@ def rounded_chord(
 def rounded_sides(tool: Tool, offset: np.ndarray, move: np.ndarray, sine: float, cosine: float) -> list[np.ndarray]:
     """Return the positions t, from 0 to 1 on the move, at which rays enter or leave the side of a swept rounded disc.
 
-    In a projection along the move, the disc has an oval contour and the ray is a straight line. While the contour's
-    normal turns by pi, the contour point with this normal moves monotonically across the line. Therefore bisection over
-    the normal finds the point where the line crosses the contour.
+    In a projection along the move, the disc has an oval contour and the ray is a straight line. Consider the point of
+    the contour that has a given normal: while the normal turns by pi, the point moves across the line in one direction.
+    Therefore bisection over the normal finds the point where the line crosses the contour.
     """
     ux, uy, uz = move
     run = np.hypot(ux, uy)

@@ -36,7 +36,7 @@ class Kind(NamedTuple):
 
 
 class Trajectories:
-    """The swept volumes of those trajectories that can meet the stock.
+    """The swept volumes of the trajectories that can meet the stock.
 
     Parameters
     ----------
@@ -116,11 +116,11 @@ class Trajectories:
         return spans_in(self.stock, self.frame)
 
     def by_kind(self, item: np.ndarray) -> Iterator[tuple[int, slice | np.ndarray]]:
-        """Group `item` (k,), positions in `index`, by `kind`; yield each kind, as in `kinds`, and places in `item`."""
+        """Group the trajectories `item` (k,) by kind; yield each kind and the places of its trajectories in `item`."""
         return _divided(self.kind, len(self.kinds), item)
 
     def by_tool(self, item: np.ndarray) -> Iterator[tuple[Tool, slice | np.ndarray]]:
-        """Group `item` (k,), positions in `index`, by tool; yield each tool and its places in `item`."""
+        """Group the trajectories `item` (k,) by tool; yield each tool and the places of its trajectories in `item`."""
         return ((self.tools[number], own) for number, own in _divided(self.tool, len(self.tools), item))
 
     def boxes(self, item: np.ndarray, begin: np.ndarray | float, end: np.ndarray | float) -> np.ndarray:
