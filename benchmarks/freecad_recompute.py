@@ -4,10 +4,10 @@
     MALLOC_PERTURB_=255 freecadcmd $PWD/benchmarks/freecad_recompute.py
 
 After the recompute, a tool bit creates its body again (Mod/CAM/Path/Tool/toolbit/models/base.py,
-slotRecomputedDocument). Then Document::recompute reports the errors of all objects that it has recomputed. Some of
-these objects have been deleted, so FreeCAD reads freed memory. Often FreeCAD only prints nonsense, but sometimes it
-ends with SIGSEGV. MALLOC_PERTURB_ fills freed memory, so that FreeCAD crashes at once. The script does not import the
-add-on.
+slotRecomputedDocument). Then Document::recompute reports the errors of all objects that it has recomputed. Some of the
+recomputed objects have been deleted, so FreeCAD reads freed memory. Often FreeCAD only prints nonsense, but sometimes
+it ends with SIGSEGV. MALLOC_PERTURB_ fills freed memory, so that FreeCAD crashes at once. The script does not import
+the add-on.
 """
 
 import os

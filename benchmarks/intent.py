@@ -6,8 +6,9 @@
 
 Each FILE contains operations from FreeCAD in the form that records.py describes. A label is the operation's kind,
 followed by its pattern if it has one. A remark that a toolpath contradicts its operation's own name is always wrong.
-Each operation also gets the name of another random operation whose accepted strategies belong to other families. A
-remark that the toolpath contradicts this other name is always right. The script needs numpy only.
+Each operation also gets the name of another random operation whose accepted strategies belong to other families. The
+other operation's name always contradicts the strategy, so a remark that says this is always right. The script needs
+numpy only.
 """
 
 from __future__ import annotations

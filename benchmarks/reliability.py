@@ -16,7 +16,7 @@ HIGH = 0.9  # a confidence of at least this counts as high
 def two_class(strategy: str, accepted: set[str], got: str) -> bool | None:
     """Return whether the strategy `got` is accepted, or is in the right class: rows, or contours around an area.
 
-    Return None if the right strategy is in neither class.
+    The result is None if the right strategy is neither in rows nor contours around an area.
     """
     if not (accepted <= BACK_AND_FORTH or strategy in {"contour-parallel", "spiral", "waterline"}):
         return None

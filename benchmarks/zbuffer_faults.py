@@ -65,7 +65,7 @@ class Moves:
 
     @property
     def commands(self) -> int:
-        """Number of commands so far. The first point is a position, not a command."""
+        """Number of G-code commands so far. The first point is a position, not a command."""
         return max(0, len(self.points) - 1)
 
     def _add(self, point, feed) -> None:
@@ -157,10 +157,10 @@ class Job:
             if fault == "short":
                 sizes.update(holder_diameter=None, holder_length=None)
         elif rng.random() < 0.5 and fault not in ("no retract", "wall", "clamp"):
-            # Half of the jobs that get here have flutes that are only slightly longer than a depth step, with a shank of
-            # the same diameter. The other half have a holder just above the block. Jobs with the faults in the condition
-            # are excluded: their moves beside the pocket are too deep for these flutes, or their clamp collides with
-            # this holder.
+            # Half of the jobs that get here have flutes that are only slightly longer than a depth step, with a shank
+            # of the same diameter. In the other half of the jobs, the holder is just above the block. Jobs with the
+            # faults in the condition are excluded: their moves beside the pocket are too deep for these flutes, or
+            # their clamp collides with this holder.
             if rng.random() < 0.5:
                 thickness = max(-np.diff(layers, prepend=self.top))
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)

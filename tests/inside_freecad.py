@@ -29,6 +29,6 @@ def run_and_leave(main):
     if FreeCAD.GuiUp:
         from PySide import QtCore
 
-        QtCore.QTimer.singleShot(0, run)  # run when FreeCAD's event loop has started
+        QtCore.QTimer.singleShot(0, run)  # The function runs when FreeCAD's event loop has started.
     else:
         run()

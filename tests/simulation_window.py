@@ -52,7 +52,10 @@ def finest(player, window):
 
 
 def make_small(tab, window):
-    """Make the player small when it exists. If the job has no simulation, wait for a message box instead."""
+    """Make the player of the simulation small as soon as it exists.
+
+    If the job has nothing to simulate, FreeCAD shows a message box; wait for this box.
+    """
     window.wait(lambda: tab.player is not None or window.boxes())
     if tab.player is not None:
         tab.player.setFixedSize(*PLAYER)

@@ -14,7 +14,10 @@ from vkworkbench.core.zbuffer import CrashCheck
 
 
 def close(one, other, absolute, relative=0.0):
-    """Return whether two arrays agree in shape, and everywhere within a tolerance. pytest.approx would be slow."""
+    """Return whether two arrays agree in shape, and everywhere within a tolerance.
+
+    Whole arrays are compared, because pytest.approx would be slow.
+    """
     return one.shape == other.shape and bool(
         (np.abs(one - other) <= np.maximum(absolute, relative * np.abs(other))).all()
     )

@@ -168,7 +168,8 @@ ADDED_GROUP = "Toolpath analysis"  # Group of the properties that this add-on ad
 HIDDEN_AND_OUTPUT = 4 | 8  # Attributes of an added property whose change does not recompute the object.
 # Property for the objects that hold the workpiece (clamps). This add-on adds the property to a job.
 CLAMPS = Property("ToolpathClamps", fingerprint="setting")
-# Property for the previous job, whose finished part is the stock of this job. This add-on adds the property to a job.
+# Property for the previous job, whose finished part is the stock of this job. FreeCAD has no such property; this add-on
+# adds it to a job.
 PREVIOUS_JOB = Property("ToolpathPreviousJob", fingerprint="setting")
 SHAPE = Property("Shape", fingerprint="setting")
 # Properties of a tool controller.

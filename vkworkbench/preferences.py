@@ -142,7 +142,10 @@ class Preferences:
 
     @cached_property
     def simulator(self) -> str:
-        """Name of the simulator whose time the marks in the tree show. "own" is replaced by a simulator's name."""
+        """Name of the simulator whose time the marks in the tree show.
+
+        The sentence contains the simulator's name in place of "own".
+        """
         if self.mark_simulator != OWN:
             return self.mark_simulator
         from vkworkbench.freecad import own_simulator
@@ -192,7 +195,7 @@ class Preferences:
     def with_machine(self, name: str, machine) -> Preferences:
         """Return the preferences with the speeds, accelerations and other values of a machine.
 
-        The time factor is not changed.
+        The time factor of the preferences is kept.
         """
         rates, accelerations = machine.rates, machine.accelerations
         return replace(
@@ -209,7 +212,8 @@ class Preferences:
         ----------
         given : Machine, str, path or None
             A machine, the name of a typical machine, or a file with the settings that grbl prints (``$$``). Values that
-            are not in the file are the values of the hobby router. None keeps the machine in the preferences.
+            are not in the file are the values of the hobby router. If the name is None, the machine in the preferences
+            is kept.
 
         Raises
         ------

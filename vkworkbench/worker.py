@@ -139,7 +139,7 @@ def serve() -> None:
     with suppress(OSError, AttributeError, TypeError):  # The function prctl exists only on Linux.
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(2, 1)  # redirect other output, which must not mix with the answers
+    os.dup2(2, 1)  # redirect everything that `work` prints, because it must not mix with the answers of this process
     received: SimpleQueue[Any] = SimpleQueue()
     threading.Thread(target=_receive, args=(received,), daemon=True).start()
 
@@ -149,7 +149,9 @@ def serve() -> None:
 
     with suppress(BrokenPipeError):
         say(_versions())
-        most_memory, work = received.get()  # reading `work` also imports its modules, so their memory is not limited
+        most_memory, work = (
+            received.get()
+        )  # receiving `work` also imports its modules, so the memory for these modules is not limited
         _limit_memory(most_memory)
         while True:
             say(work(received.get()))

@@ -59,7 +59,8 @@ FLOORS = (
     ("gui.simulators",),
     ("gui",),
 )
-# Third-party modules that a module may import. The longest listed prefix of the module's name applies.
+# Third-party modules that a module may import. If several prefixes of a module's name are listed, the longest prefix
+# applies.
 OUTSIDE = {
     "": set(),
     "core": {"numpy"},

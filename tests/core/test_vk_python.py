@@ -29,7 +29,8 @@ GENERIC = {"dict", "frozenset", "list", "set", "tuple", "type"}
 def newer(source: str) -> list[str]:
     """Return the uses of newer Python features in a source text, by line.
 
-    A union of types `X | Y` outside annotations is not found. Only running the code would show such a union.
+    A union of types `X | Y` outside annotations is not found. A union of types outside annotations can only be found by
+    running the code.
     """
     try:
         tree = ast.parse(source, feature_version=OLDEST)
@@ -91,7 +92,7 @@ def test_package_declares_oldest_python():
 
 
 @pytest.mark.long
-def test_document_layer_runs_without_freecad():
+def test_document_code_runs_in_python_3_8_without_freecad():
     """Without FreeCAD, vkworkbench/document can run in the oldest Python: python3.8 tests/stubbed_freecad.py."""
     done = subprocess.run(
         [sys.executable, ROOT / "tests" / "stubbed_freecad.py"], capture_output=True, text=True, timeout=300

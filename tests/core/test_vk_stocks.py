@@ -43,7 +43,7 @@ def test_cylinder_has_its_size_corners_and_planes():
         ((1, 2, 20), (0, 0, -1), 9, 17),
         ((5, 5, 0), (0, 0, 1), 3, 11),  # The ray lies on the wall.
         ((-10, 2, 5), (1, 0, 0), 6, 16),
-        ((-10, 5, 5), (1, 0, 0), 7, 15),  # The ray passes 3 mm beside the axis and is inside for 8 mm.
+        ((-10, 5, 5), (1, 0, 0), 7, 15),  # The ray passes 3 mm beside the axis, and 8 mm of it are inside.
         ((1, 20, 3), (0, -1, 0), 13, 23),  # The ray lies in the lower face.
         ((1, 20, 11), (0, -1, 0), 13, 23),
         ((-5, 2, 9), (0.8, 0, -0.6), 1.25, 10),  # The ray enters through the wall and leaves through the lower face.

@@ -97,7 +97,7 @@ def test_unread_dwell_affects_time_and_rotary_axis_also_length():
     assert turned.takes_time and not turned.of_time
 
 
-def test_cuts_through_points_equal_linearized_commands():
+def test_toolpath_through_points_equals_that_of_commands():
     points = [(0.0, 0.0, 5.0), (10.0, 0.0, 5.0), (10.0, 8.0, 4.0)]
     commands = [("G1", {**dict(zip("XYZ", point)), "F": 10.0}) for point in points]
     made, read = Toolpath.through(points), linearize(commands)

@@ -204,7 +204,10 @@ def test_common_base_of_dress_up_and_array_is_not_in_the_total(small, zigzag_com
     array.addProperty("App::PropertyInteger", "Copies", "Path")
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.job).operations}
     assert counted == {"Base": False, "Dress-up": True, "Array": True}
-    small.job.Operations.Group = [dressup, array]  # the base is not in the group, as after a dress-up in the window
+    small.job.Operations.Group = [
+        dressup,
+        array,
+    ]  # the base of the dress-up is not in the group, as after a dress-up in the window
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name
@@ -264,7 +267,7 @@ def test_copy_of_an_operation_and_original_are_in_the_total(small, zigzag_comman
     assert [row.counted for row in vkworkbench.analyze(small.job).operations] == [True, True]
 
 
-def test_array_is_in_the_total_while_one_base_is_active(small, zigzag_commands):
+def test_array_counts_in_the_total_if_one_of_its_bases_is_on(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     array_of(small, zigzag_commands, first, second)
     first.Active = False

@@ -161,7 +161,7 @@ def test_job_deleted_during_the_analysis_is_tolerated(small, zigzag_commands):
     def delete(done, *_):
         if done == 1:
             small.job.Operations.Group = []
-            small.job.Proxy = None  # otherwise FreeCAD would delete the operations together with the job
+            small.job.Proxy = None  # with its proxy, FreeCAD would delete the operations together with the job
             small.document.removeObject(small.job.Name)
 
     report = vkworkbench.analyze(small.document, progress=delete)

@@ -53,7 +53,7 @@ def test_missing_user_data_folder_is_created(folder, monkeypatch):
     assert calibration.calibrate() == calibration.load()
 
 
-def test_processor_name_falls_back_to_python(monkeypatch):
+def test_processor_name_comes_from_python_on_other_systems(monkeypatch):
     """Windows and macOS do not have the file from which the name of the processor is read."""
 
     def nowhere(_path):

@@ -38,7 +38,7 @@ def gone():
     return weakref.ref(Ring())
 
 
-def test_collector_is_on_after_the_last_release(collector):
+def test_garbage_collection_is_on_after_the_last_release(collector):
     garbage.hold()
     assert not gc.isenabled()
     garbage.hold()
@@ -48,7 +48,7 @@ def test_collector_is_on_after_the_last_release(collector):
     assert gc.isenabled()
 
 
-def test_collector_that_was_off_stays_off_after_release(collector):
+def test_garbage_collection_stays_off_if_it_was_off_before(collector):
     gc.disable()
     garbage.hold()
     garbage.release()

@@ -69,12 +69,12 @@ def test_dress_up_without_base_is_analyzed(small, zigzag_commands):
     assert row.strategy == "zigzag" and row.counted and row.error is None
 
 
-def test_operations_that_dress_up_each_other_have_rows(small, zigzag_commands):
+def test_operations_that_are_each_others_base_have_results(small, zigzag_commands):
     first, second = small.add("First", zigzag_commands), small.add("Second", zigzag_commands)
     for op, other in ((first, second), (second, first)):
         op.addProperty(
             "App::PropertyLink", "Base", "Path"
-        ).Base = other  # FreeCAD's window forbids this loop, but a file can contain it
+        ).Base = other  # FreeCAD's window does not allow operations to be their own base, but a file can contain this
     rows = analyze_mark_clear(small.document).operations
     assert sorted(o.label for o in rows) == ["First", "Second"]
     assert [row.called for row in rows] == [None, None]
@@ -175,7 +175,7 @@ def test_odd_labels_are_shown_as_plain_text(small, zigzag_commands, label, tmp_p
     own = label
     op.Label2 = own
     small.controller.Label = small.job.Label = label
-    small.controller.Tool.Diameter = 0  # causes a remark that contains the label of the tool controller
+    small.controller.Tool.Diameter = 0  # the diameter 0 causes a remark that contains the label of the tool controller
     kept = op.Label
     seen = []
     report = vkworkbench.analyze(small.document, progress=lambda done, count, text: seen.append(text))

@@ -29,7 +29,7 @@ def done(strategy):
 
 
 @pytest.mark.parametrize("strategy, name", FITS)
-def test_type_in_the_strategys_family_does_not_contradict(strategy, name):
+def test_operation_type_of_the_same_family_does_not_contradict(strategy, name):
     assert not contradicts(name, done(strategy))
 
 
@@ -125,7 +125,7 @@ def test_type_of_a_dress_up_is_not_taken_from_its_base(small, zigzag_commands):
 
 
 def test_results_file_contains_contradictions(small, zigzag_commands, tmp_path):
-    """The CSV file names the contradicted type, as the mark and the panel do."""
+    """The CSV file names the type of operation that the strategy contradicts, as the mark and the panel do."""
     op = small.add("2D Pocket3", zigzag_commands)
     op.addProperty("App::PropertyString", "OffsetPattern", "Path").OffsetPattern = "Offset"
     report = vkworkbench.analyze(small.document)

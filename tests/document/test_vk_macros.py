@@ -65,7 +65,7 @@ def test_toolpaths_get_the_colours_of_their_strategies(example):
         assert known[name].color == "#" + "".join(f"{round(255 * share):02x}" for share in color)
 
 
-def test_heavy_job_is_named_with_its_simulator(example):
+def test_macro_names_a_heavy_job_and_its_simulator(example):
     hangs = [line for line in too_heavy(example, 1e9, 1e15) if "for good" not in line and "hang" not in line]
     assert hangs == []
     label = example.getObject("Job").Label

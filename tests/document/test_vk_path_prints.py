@@ -46,7 +46,7 @@ def test_cache_observes_documents_only_once(small, zigzag_commands, prints, monk
         found(prints, small.add(name, zigzag_commands))
     assert heard == [prints]
     monkeypatch.undo()
-    FreeCAD.addDocumentObserver(prints)  # added because the fixture removes the observer at the end
+    FreeCAD.addDocumentObserver(prints)  # The observer is added again, because the fixture removes it at the end.
 
 
 def test_fingerprint_of_a_path_changed_meanwhile_is_not_stored(small, zigzag_commands, prints):

@@ -105,7 +105,7 @@ def test_default_image_is_the_finest_that_fits(small):
     assert vkworkbench.simulate(small.job, memory_budget=2 * needed).job.remarks == ()
     with pytest.raises(OverBudget, match=r"Choose an image of 4\d\d x \d+ pixels"):
         vkworkbench.simulate(small.job, view=usual, memory_budget=needed / 2)
-    # With this budget the image would be too coarse to be useful, so the simulation is refused.
+    # With the memory budget of the test, the image would be too coarse to be useful, so the simulation is refused.
     with pytest.raises(OverBudget) as refused:
         vkworkbench.simulate(small.job, memory_budget=17e6)
     assert 1 < refused.value.size[0] < usual.width / 3
@@ -387,7 +387,7 @@ def test_reading_a_job_can_be_cancelled(small):
         next(copy_job(small.job).read(going_on))
 
 
-def test_deleted_operation_ends_the_copying(small):
+def test_copying_a_job_ends_if_an_operation_was_deleted(small):
     small.add("First", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
     small.add("Second", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 10.0})])
     copying = copy_job(small.job).copying()

@@ -89,7 +89,7 @@ def test_first_marks_are_visible_when_a_hidden_tree_is_shown(untouched, opened, 
     window.analyze(opened)
     assert window.dismiss() == []  # the analysis shows no message although the tree is hidden
     untouched.show()
-    untouched.raise_()  # in front of the task panel, which can be a tab in the same place
+    untouched.raise_()  # raise the tree above the task panel, which can be a tab in the same place
     window.wait(lambda: untouched.width() > 300)
     window.dismiss()
     window.tree.expandAll()

@@ -39,7 +39,7 @@ def labelled(document, label):
 
 
 class View:
-    """The panel and its parts."""
+    """Find the Gauss map's panel, its plots and its buttons."""
 
     def __init__(self, window):
         self.window = window
@@ -366,7 +366,7 @@ def test_gauss_map_shows_the_numbers_of_mark_and_table(view, opened, window, lab
     assert low < min(figure.phi.min(), figure.limits[0]) and high > max(figure.phi.max(), figure.limits[1])
 
 
-def test_condition_on_phi_for_the_strategy_is_named(view, opened, window):
+def test_gauss_map_shows_the_papers_condition_on_phi(view, opened, window):
     named = {}
     for label in ("Face", "Pocket around island", "Bore", "Drill holes"):
         select(labelled(opened, label))

@@ -846,7 +846,7 @@ def test_document_opened_with_marks_fills_the_panel(panel, opened, window, tmp_p
         window.settle()
         assert {title: column(panel, title) for title in FIRST} == before
         click_row(window, panel, label)
-        # Compare the text before "Cutting Length" only, because marks store no later lengths.
+        # Compare only the text before "Cutting Length", because marks store no cutting lengths.
         assert text_of(panel).split("Cutting Length")[0] == page.split("Cutting Length")[0]
         window.screenshot("panel-from-marks")
         assert "Rapid Length" not in text_of(panel)

@@ -414,7 +414,7 @@ def test_marks_that_a_macro_writes_are_shown_as_pills(opened, window):
 
 
 @pytest.mark.long
-def test_sixty_marks_are_laid_out_once(opened, window):
+def test_layout_of_sixty_marks_is_computed_once(opened, window):
     """FreeCAD 1.x lays the tree out after each change of a text; 60 marks must cause no more layouts than one."""
     from vkworkbench.gui import commands
 

@@ -84,7 +84,7 @@ def test_page_shows_defaults_and_keeps_changes(opened, with_page, window):
 
 
 @pytest.mark.parametrize("schema", first_everywhere([3, 0, 5, 7]))  # unit schemas: inches, mm, two other imperial
-def test_ok_keeps_untouched_values_exactly(schema, with_page, window):
+def test_ok_button_keeps_unchanged_preferences_exactly(schema, with_page, window):
     before = Preferences(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     preferences.write(tolerance=0.0123, time_budget=33.37, legacy_accuracy=0.137, result_columns="length")
     now, units = FreeCAD.Units.getSchema(), FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")

@@ -160,7 +160,7 @@ def test_differences_to_the_model_have_colours_and_places(whole_from_above, wind
     assert kinds and set(kinds) == {"leaves-material"}
     found = differences(player.drawing.findings, bar.tolerance_mm)
     deepest = max(found, key=lambda fault: fault.what.arguments["depth"])
-    # Two clicks show the largest difference.
+    # Two clicks of the user are enough to show the largest difference.
     assert player.play_bar.text.text() == player.known.text_with_place(deepest)
     assert view._place_shown == deepest.place
     before = view.grab().toImage()

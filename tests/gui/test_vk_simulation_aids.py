@@ -72,7 +72,7 @@ def test_two_clicks_show_the_distance_between_them(player, window):
     assert "Distance" not in player.play_bar.text.text()
 
 
-def test_section_is_filled_and_moves(player, window):
+def test_cut_face_is_filled_and_follows_the_slider(player, window):
     bar = player.scene_bar
     player.look("Isometric")
     bar.section.begin(1)

@@ -404,7 +404,8 @@ def test_tab_is_usable_with_keys_only(desk, window):
         focused = QtGui.QApplication.focusWidget()
         if focused is not None:
             reached.add(focused)
-            # Go backwards, because the focus begins on the time line, the last control.
+            # The keyboard focus begins on the time line, which is the last control, so go through the controls
+            # backwards.
             window.press(focused, QtCore.Qt.Key_Backtab)
         window.idle(0.01)
     wanted = {player.time_line, player.view, player.scene_bar.colorings, player.scene_bar.chips, player.play_bar.speeds}

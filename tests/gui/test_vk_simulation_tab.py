@@ -288,7 +288,7 @@ def test_controls_do_not_overlap_in_a_low_and_narrow_tab(low_tab, window, height
     window.screenshot(f"simulation-low-{height}-{points or 'usual'}")
 
 
-def test_controls_of_differences_are_shown_with_differences(tab, window):
+def test_controls_of_colouring_by_difference_are_shown_with_it(tab, window):
     bar = tab.player.scene_bar
     tab.player.setFixedSize(360, 400)  # px, a size with room for the row of controls for differences from the model
     assert not bar.differences.isVisible()

@@ -18,7 +18,8 @@ from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath, exac
 from vkworkbench.given import not_negative, number, numbers, positive, whole
 
 # Limit for the sine of half the angle at the corner between two moves, which is 1 if both moves have the same
-# direction. Above the limit, the directions differ only by rounding, and the corner does not limit the speed.
+# direction. Above this limit of the sine, the directions differ only by rounding, and the corner does not limit the
+# speed.
 _STRAIGHT = 1 - 1e-12
 
 

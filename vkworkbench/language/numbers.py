@@ -9,8 +9,8 @@ from math import floor, inf, log10, tau
 from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 
 # An estimate that can be wrong by the factor ROUGH or more is shown with one digit and "about". An estimate that can be
-# wrong by more than the factor ESTIMATED is shown with two digits. If a limit is lower, useful digits are not shown. If
-# a limit is higher, meaningless digits are shown.
+# wrong by more than the factor ESTIMATED is shown with two digits. With a lower value of ROUGH or ESTIMATED, useful
+# digits are not shown. With a higher value of ROUGH or ESTIMATED, meaningless digits are shown.
 ROUGH, ESTIMATED = 2.0, 1.05
 # Units of time: the name, the length, s, and the duration from which the next larger unit is used, s.
 _UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
@@ -171,7 +171,10 @@ class Reader:
         return self.separated(f"{value:.{1 + extra_digits}f}" if value >= 0.095 else f"{value:.{2 + extra_digits}g}")
 
     def separated(self, english: str) -> str:
-        """Return an English number with the reader's separators. The text must have no other points or commas."""
+        """Return an English number with the reader's separators.
+
+        The text must not contain points or commas other than the number's separators.
+        """
         return english.translate({ord("."): self.decimal, ord(","): self.thousands})
 
 

@@ -14,8 +14,8 @@ from vkworkbench.program.analysis import analyze_file, unread
 from vkworkbench.report import OperationReport
 from vkworkbench.worker import Worker, WorkerDied
 
-# Memory limit for the analysis of one program, bytes. The largest accepted toolpath, with 5 million moves, needs less
-# memory.
+# Memory limit for the analysis of one program, bytes. Even the analysis of the largest accepted toolpath, with 5
+# million moves, needs less memory than this limit.
 _MOST_MEMORY = 4e9
 _of_thread = threading.local()
 _workers: weakref.WeakSet[Worker] = weakref.WeakSet()

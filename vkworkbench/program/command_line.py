@@ -261,7 +261,10 @@ def _cluster(address: str) -> Iterator[tuple[Executor, int]]:
 def _analyzed(
     paths: Iterable[Path], executor: Executor, ahead: int, patience: float, chosen: preferences.Preferences
 ) -> Iterator[tuple[Path, tuple[OperationReport, ...]]]:
-    """Yield each program with its rows as soon as it is analysed. Closing the iterator cancels the waiting programs."""
+    """Yield each program with its rows as soon as it is analysed.
+
+    If the caller closes the iterator, the programs that still wait are not analysed.
+    """
     rest = iter(paths)
     pending: dict[Future, Path] = {}
     try:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Write files of results, with one line of CSV or JSON for each operation. A stopped run can be continued."""
+"""Write files of results, with one line of CSV or JSON for each operation.
+
+If writing was interrupted, it can be continued.
+"""
 
 from __future__ import annotations
 

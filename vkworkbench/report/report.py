@@ -42,7 +42,8 @@ class Report:
         Number of work offsets for which the operations of a job are posted, by (document name, job name). Jobs with an
         unknown number of work offsets are missing.
     simulated : dict
-        Facts of a simulation of the whole job, by (document name, job name). Jobs without a simulation are missing.
+        Facts of a simulation of the whole job, by (document name, job name). Jobs without a simulation have no entry in
+        the dictionary.
     verdicts : dict
         The `JobVerdict` of a simulation of the whole job, by (document name, job name). Jobs without a verdict are
         missing.

@@ -28,7 +28,7 @@ def test_commands_return_the_appended_names_and_parameters():
     made = commands(PAIRS)
     assert list(made) == PAIRS and len(made) == 5 and made[4] == PAIRS[4]
     assert made.names == ["G1", "", "T5", "M6", "G1"]
-    assert list(made[4][1]) == ["Y", "X"]  # The parameters keep their order.
+    assert list(made[4][1]) == ["Y", "X"]  # The parameters of the command keep their order.
 
 
 def test_replacing_a_command_does_not_change_other_commands():

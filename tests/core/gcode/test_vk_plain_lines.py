@@ -88,7 +88,7 @@ def test_programs_in_several_batches_equal_line_by_line(monkeypatch):
 
 
 @pytest.mark.parametrize("line", OTHER_LINES)
-def test_line_between_plain_lines_equals_line_by_line(line, monkeypatch):
+def test_line_between_plain_lines_is_read_as_if_read_alone(line, monkeypatch):
     run = [f"G1 X{k} Y{k * k}\nX{k + 0.5} F{k}" for k in range(1, 9)]
     text = "\n".join(["G0 X0 Y0 Z5", *run, line, *run, line, "G1 Z-1", *run])
     assert everything(text) == line_by_line(text, monkeypatch)

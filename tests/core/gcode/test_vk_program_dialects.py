@@ -134,8 +134,8 @@ def test_program_does_not_call_itself_as_a_subprogram():
 @pytest.mark.parametrize(("other", "calls_500"), [("10500", False), ("9", True)])
 def test_program_that_p10500_calls_is_not_the_main_program(other, calls_500):
     text = f"O500\n{PLAIN}M99\n%\nO{other}\nG1 X77\nM99\n%\nO1\nM98 P10500\nG0 X3\nM30"
-    # The main program is the first program that no other program calls. Its M99 ends the reading before O1. P10500 calls
-    # program 10500 if there is one, and otherwise program 500 once.
+    # The main program is the first program that no other program calls. In the main program, M99 ends the reading
+    # before O1. P10500 calls program 10500 if there is one, and otherwise program 500 once.
     assert ("Line 1: A subprogram or macro call is ignored." in said(text)) == calls_500
     assert read_program(text).toolpath().points[-1, 0] == (77 if calls_500 else 10)
 

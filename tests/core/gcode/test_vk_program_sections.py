@@ -429,7 +429,10 @@ def test_tool_without_description_after_a_change_has_no_size():
 
 
 def test_title_between_plunge_and_cut_does_not_divide():
-    """Hand-written programs have titles between plunge and cut. The plunge alone would be drilling."""
+    """Hand-written programs have titles between plunge and cut.
+
+    The plunge alone, without the cut after the title, would be recognised as drilling.
+    """
     assert [title for title, _, _ in sections(f"(Sides)\nG0 X0 Y0\nG1 Z1 F9\nZ-2\n(Rough)\nX10\nY5\n(Wall)\n{CUT}")] == [
         "Rough", "Wall"
     ]  # fmt: skip

@@ -58,8 +58,8 @@ def test_fast_or_large_toolpath_does_not_look_like_inches():
     "changed, imported, said",
     [
         ({}, False, True),
-        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # A part of 15 inches would be large.
-        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # A lift of 4 inches would be too high.
+        ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # Read as inches, the part would be too large.
+        ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # Read as inches, the lift would be too high.
         ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # A feed of 300 inches a minute would be fast.
         ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import stores mm/min as mm/s.
     ],

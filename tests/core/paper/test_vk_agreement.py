@@ -18,7 +18,7 @@ from vkworkbench.core.paper.literal import paper_verdict
 from vkworkbench.language import ENGLISH
 from vkworkbench.report import OperationReport, Report
 
-# Operations of FreeCAD that are not part of this repository. The folder may be missing.
+# Operations of FreeCAD that are not part of this repository. If the folder is missing, there are no such operations.
 CORPUS = Path(__file__).resolve().parents[4] / "shared" / "corpus"
 FILES = sorted(CORPUS.glob("freecad-*.jsonl.gz"))
 NUMBER = re.compile(r"[+-]\d+\.\d\d|(?<![\d.])0(?![\d.%])")

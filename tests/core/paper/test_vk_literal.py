@@ -71,13 +71,13 @@ def test_theta_range_begins_with_the_first_direction():
     assert verdict([(0, 0), (0, 30), (30, 30)]).sense == "cw"
 
 
-def test_direction_of_v_k_that_swings_back_has_no_sense():
+def test_v_k_that_swings_back_has_no_sense_of_rotation():
     found = verdict([(0, 0), (30, 0), (60, 6), (100, 5)])
     assert found.sense is None and max(found.theta_range) == pytest.approx(np.arctan2(6, 60))
 
 
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
-def test_direction_that_turns_back_by_one_percent_has_no_sense(share, sense):
+def test_v_k_that_turns_back_by_1_percent_has_no_rotation_sense(share, sense):
     """The direction of V_k turns by two radians in total. The part `share` of these turns goes back."""
     back = 2 * share / (1 - 2 * share)  # The angles add up to 2 + 2 * back, in rad.
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]

@@ -140,7 +140,7 @@ def test_last_link_may_end_at_program_end_height():
 def test_raised_rows_between_a_lift_and_a_plunge_are_not_a_link():
     """The rows are on a terrace that the tool reaches by a lift at feed and leaves by a plunge.
 
-    The rows look like this also if Z grows downward.
+    If Z grows downward, the rows look the same.
     """
     rows = [(x, y, 1) for y in range(2, 12, 2) for x in ((0, 20) if y % 4 else (20, 0))]
     assert sizes(areas_of(*feed((0, 0, -1), (0, 2, -1), *rows, (20, 10, -1), (20, 30, -1)))) == [1, 9, 1]

@@ -65,7 +65,7 @@ def test_polyline_in_a_vertical_plane_has_this_plane():
     assert plane_of_points(wave + np.arange(6)[:, None] * (0, 1, 0)) == XY
 
 
-def test_slight_fall_stays_in_horizontal_plane():
+def test_polyline_with_a_slight_fall_is_in_the_xy_plane():
     assert plane([(0, 7, 0), (100, 7, -1), (0, 7, -2)]) == XY == plane([(7, 0, 0), (7, 100, -1), (7, 0, -2)])
     assert plane([(0, 7, 0), (1, 7, -100), (2, 7, 0)]) == XY
 

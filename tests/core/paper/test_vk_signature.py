@@ -109,7 +109,7 @@ def test_trajectories_without_length_do_not_turn():
 
 
 @pytest.mark.parametrize("aside, carried", [((3e-10, 4e-10), True), ((0.0, 1e-8), False), ((1e-8, 0.0), False)])
-def test_v_k_of_length_zero_keeps_the_direction_before(aside, carried):
+def test_v_k_of_length_zero_has_the_direction_of_the_previous(aside, carried):
     """A length of V_k below a millionth of a micrometre counts as zero."""
     x, y = aside
     theta = signature(np.array([(0, 0), (-3, 0), (-3, -3), (x, y), (5, 0)], float)).theta

@@ -149,9 +149,9 @@ def test_stepover_is_row_distance_or_grid_period():
 
 @pytest.mark.parametrize(("downward", "stepover"), [(70.0, 3.0), (50.0, 0.6)])
 def test_grid_has_a_stepover_if_one_direction_is_in_rows(downward, stepover):
-    """Along X, two lines lie in every 3 mm.
+    """Along X, the lines come in pairs: two lines in every 3 mm.
 
-    Along Y, the order of the lines is such that no line follows its neighbour.
+    Along Y, no line is cut directly after its neighbour.
     """
     across = [(0.0, 60.0)[:: -1 if k % 2 else 1] for k in range(40)]
     across = [
@@ -226,7 +226,7 @@ def thread(first, pitch, lead=True):
 
 
 @pytest.mark.parametrize("first, pitch, seen", [(0.0, -1.25, "descending"), (-10.0, 1.25, "climbing")])
-def test_thread_has_a_direction_and_leads_are_not_depths(first, pitch, seen):
+def test_thread_has_a_direction_and_leads_add_no_depths(first, pitch, seen):
     found = recognize(linearize(thread(first, pitch)), tool_diameter=6.0)
     assert (found.strategy, found.depths) == ("helix", 0)
     assert f"over 5 loops, {seen} at a constant radius" in found.reason

@@ -70,7 +70,7 @@ def test_contours_that_finish_no_cleared_area_are_own_operations(sections):
 
 
 def test_finishing_contour_of_a_small_area_is_found_by_stepover():
-    # The contour lies 0.5 mm outside, and a twentieth of the diagonal is 0.25 mm.
+    # The contour lies 0.5 mm outside the area, and a twentieth of the area's diagonal is 0.25 mm.
     small, out = (0.0, 0.0, 3.0, 4.0), (-0.5, -0.5, 3.5, 4.5)
     assert found_in((ADAPTIVE, small), (PROFILE, out)) == []
     assert found_in((ADAPTIVE, small, -1.0, 9, 0.6), (PROFILE, out)) == [1]

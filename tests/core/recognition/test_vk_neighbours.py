@@ -89,7 +89,10 @@ def test_direction_of_a_stroke_is_from_first_to_last_point():
 
 
 def test_passes_that_spread_like_a_fan_are_not_even():
-    """The passes are 0.4 mm apart at one end and 3.6 mm at the other. An offset would keep its distance."""
+    """The passes are 0.4 mm apart at one end and 3.6 mm at the other.
+
+    The passes are not offsets, which would keep their distance.
+    """
     found = neighbours([line(0.4 * k, slant=3.2 * k) for k in range(5)])
     assert found.even == 0 and found.onward == 1 and found.step == pytest.approx(2.0, rel=0.1)
 

@@ -62,7 +62,7 @@ def test_straight_ramp_back_and_forth_is_one_piece(aside):
     assert len(pieces_of([(0, 0, 0), (60, 0, -1), (0, aside, -2), (60, 0, -3), (0, 0, -4)])) == 1
 
 
-def test_bent_pass_returning_elsewhere_is_not_a_piece():
+def test_bent_pass_that_ends_elsewhere_is_not_a_separate_piece():
     there = [(0, 0, 0), (60, 0, 0), (60, 40, 0)]
     assert len(pieces_of([*there, (60, -10, 0), (0, -10, 0)])) == 1
 
@@ -108,7 +108,7 @@ def test_rise_and_drop_of_a_climbing_piece_are_measured():
     assert pieces.flat.tolist() == [False, True]
     falling = pieces_of([(0, 0, 3), (10, 0, 3), (10, 20, -3), (20, 20, -3)])
     assert (falling.rise[0], falling.drop[0]) == pytest.approx((6, -6))
-    # The drop of the piece is measured from its first point.
+    # The drop of a piece of the toolpath is measured from the piece's first point.
     at_once = pieces_of([(0, 0, 5), (10, 0, 2), (10, 20, 2), (20, 20, 3)])
     assert (at_once.rise[0], at_once.drop[0], at_once.last_z[0]) == pytest.approx((3, -2, 3))
 
@@ -159,7 +159,7 @@ def test_links_that_extend_into_the_rows_are_not_passes():
 
 
 def test_piece_of_two_opposite_moves_has_one_pass():
-    """A piece of two moves has one pass anywhere in the program; only longer pieces are divided into passes."""
+    """A piece of two opposite moves counts as one pass; only longer pieces are divided into passes."""
     hairpin = [(0, 0, 0), (30, 0, 0), (0, 1, 0)]
     pieces = pieces_of(hairpin, zigzag(2), hairpin)
     assert pieces.kind.tolist() == [STROKE] * 3 and pieces.passes.tolist() == [1, 2, 1]
@@ -176,8 +176,8 @@ def test_alternating_half_turns_are_a_zigzag_if_long_enough(middle, kind):
 def test_stroke_mostly_back_and_forth_is_a_zigzag(rows, kind):
     """After the rows, the stroke continues around the rows.
 
-    The half-turns at both ends of a pass have opposite signs for three passes (with four rows) or five, and equal signs
-    for two.
+    The two half-turns at the ends of a pass have opposite signs if there are three or five passes, and equal signs if
+    there are two.
     """
     top = 3.0 * (rows - 1)
     around = [(0, top + 3), (40, top + 3), (40, -10), (0, -10), (0, top + 6), (40, top + 6)]

@@ -261,8 +261,11 @@ def test_large_loops_decide_the_stepover():
     assert found.stepover == pytest.approx(4.2)
 
 
-def test_loop_around_islands_is_one_step_inside():
-    """The second loop follows an island. The loop is longer and encloses less, but all sides moved by the same step."""
+def test_loop_around_islands_is_one_stepover_inside_the_wall():
+    """The second loop follows an island.
+
+    The second loop is longer than the first and encloses less, but all its sides moved by the same step.
+    """
     bay = [(4.2, 4.2), (95.8, 4.2), (95.8, 75.8), (4.2, 75.8), (4.2, 50), (40, 50), (40, 30), (4.2, 30), (4.2, 4.2)]
     inner = [("G0", {"Z": 5.0}), ("G0", {"X": 4.2, "Y": 4.2}), ("G1", {"Z": -1.0})]
     inner += [("G1", {"X": x, "Y": y}) for x, y in bay[1:]]

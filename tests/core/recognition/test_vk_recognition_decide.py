@@ -188,8 +188,8 @@ def test_more_votes_make_the_confidence_higher():
 def test_tree_follows_its_questions_to_a_leaf():
     """The first tree votes for class 0 if x[1] <= 2.
 
-    Otherwise, it gives half of its vote to each class if x[0] <= 0.5, and votes for class 1 if x[0] > 0.5. The second
-    tree votes for class 1.
+    Otherwise, the first tree gives half of its vote to each class if x[0] <= 0.5, and votes for class 1 if x[0] > 0.5.
+    The second tree votes for class 1.
     """
     trees = Trees(
         feature=np.array([1, -1, 0, -1, -1, -1]),

@@ -37,7 +37,10 @@ def test_fast_percentiles_by_row_equal_those_of_numpy():
         ([-1.0], 1),
         ([-1.0, -1.0 - ROUNDING.HEIGHT / 2], 1),
         ([0.0, 2 * ROUNDING.HEIGHT, 0.0], 2),
-        ([0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT], 1),  # Each height is near the next height.
+        (
+            [0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT],
+            1,
+        ),  # The heights form a series in which each height is near the next height.
         ([-3.0, -1.0, -3.0, -2.0], 3),
     ],
 )

@@ -253,7 +253,7 @@ def test_two_contours_at_every_depth_are_not_a_pocket(ccw, tool):
 
 @pytest.mark.parametrize("angle", [0.0, 0.2, 0.5, 0.785])
 def test_stepover_of_offsets_is_rotation_invariant(angle):
-    # The sides of the bounding boxes of rotated squares move by up to sqrt(2) steps.
+    # If a square is rotated, an offset by one step moves the sides of its bounding box by up to sqrt(2) steps.
     path = linearize(squares([3, 7, 11, 15, 19, 23]))
     c, s = math.cos(angle), math.sin(angle)
     points = path.points @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]])
@@ -383,8 +383,8 @@ def test_slopes_of_carved_strokes_are_not_depths(pieces):
 
 @pytest.mark.parametrize("degrees", [0, 30])
 def test_loops_around_ribs_in_a_row_are_not_trochoids(degrees):
-    # Loops of one size lie side by side, each at four depths. In a trochoid, the loops overlap, and not only their
-    # boxes.
+    # Loops of one size lie side by side, each at four depths. In a trochoid, the loops themselves overlap, and not only
+    # their bounding boxes.
     program = []
     u, v = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     for z in (-1.0, -2.0, -3.0, -4.0):

@@ -82,7 +82,10 @@ def test_lathe_passes_are_mostly_along_z(length, lathe):
 
 
 def test_lathe_passes_may_all_end_at_one_x():
-    """Only the X of the cuts must differ. All lead-outs can end at one X, for example at a collar."""
+    """For a lathe, the cuts must differ in X, but their ends may be equal.
+
+    All lead-outs can end at one X, for example at a collar.
+    """
     program = [("G0", {"X": 30.0, "Y": 0.0, "Z": 2.0})]
     for x in (29.0, 28.0, 27.0):
         program += [("G0", {"X": x}), ("G1", {"Z": -40.0}), ("G1", {"X": 30.0}), ("G0", {"Z": 2.0})]

@@ -378,7 +378,7 @@ def test_ramp_down_from_the_retract_height_is_not_a_retract():
 
 
 def test_series_measure_averages_the_neighbouring_retracts():
-    tops = [0, 0, 5, 9, 9]  # The first two heights are equal, and the last two heights are equal.
+    tops = [0, 0, 5, 9, 9]  # The first two heights of the toolpath are equal, and the last two heights are equal.
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     found = compare_visits(replace(visits, top=np.array(tops, float)))
     assert found["same_top"].tolist() == [1, 0, 0, 1]

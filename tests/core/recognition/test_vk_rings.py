@@ -57,7 +57,10 @@ def test_large_ring_a_quarter_reach_inside_is_another_ring(inward, relation):
 
 @pytest.mark.parametrize("side", [60, 600])
 def test_offset_distance_does_not_depend_on_part_size(side):
-    """The step is a fifth of the tool's diameter. For the larger part, the step is only 0.2 % of the part's size."""
+    """The rings are offset by a fifth of the tool's diameter.
+
+    For the larger part, the step is only 0.2 % of the part's size.
+    """
     rings = rings_of([polygon(side - 2.4 * i) for i in range(5)])
     assert related(rings) == [{"nested"}] * 5 and rings.step == pytest.approx(1.2)
 

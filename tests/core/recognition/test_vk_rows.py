@@ -269,7 +269,7 @@ def test_rows_fill_an_area_only_if_their_step_fits_the_tool(step, tool, good):
     assert fills(tool, step=step, lines=9) is good
 
 
-def test_many_close_rows_fill_an_area_except_down_a_wall():
+def test_many_close_rows_fill_an_area_except_on_a_steep_wall():
     assert fills(step=0.01)
     assert not fills(step=0.01, steep=True)
 
@@ -303,7 +303,7 @@ def test_walls_of_a_contour_are_not_rows(period, walls):
 @pytest.mark.parametrize(
     "length, changed, grid",
     [
-        (1150.0, {}, True),  # The rows have 1000 mm, which is more than 85 % of 1150 mm.
+        (1150.0, {}, True),  # The total length of the rows is 1000 mm, which is more than 85 % of 1150 mm.
         (1200.0, {}, False),
         (1150.0, {"count": 5}, True),
         (1150.0, {"count": 4}, False),

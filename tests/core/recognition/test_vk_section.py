@@ -183,7 +183,7 @@ def test_loop_beside_rows_is_not_a_contour(loop):
     assert cut == [ZIGZAG, LOOP] and absorbed == [ZIGZAG, ZIGZAG]
 
 
-def test_loop_in_another_stroke_than_the_rows_is_a_contour():
+def test_loop_separate_from_the_strokes_of_rows_is_a_contour():
     strokes = [rows(7, length=40.0), box(42.0, 20.0, 5.0, 5.0)]
     pieces = cut_pieces(monotonous_areas(linearize(programs.program(strokes))))
     assert _absorbed(pieces).tolist() == [ZIGZAG, LOOP]
@@ -213,7 +213,7 @@ def test_section_without_spirals_has_no_corners():
 @pytest.mark.parametrize(
     "degrees, length, aside", [(20, None, False), (35, None, True), (35, 0.05, False), (35, 0.2, True)]
 )
-def test_spiral_with_a_bend_of_27_degrees_in_a_turn_steps_aside(degrees, length, aside):
+def test_spiral_with_a_27_degree_bend_per_turn_steps_aside(degrees, length, aside):
     """Each turn of the spiral has one bend.
 
     A bend of 35 degrees (0.61 rad) on 0.05 mm is 0.03 rad mm, which is less than the limit of 0.05 rad mm.
@@ -239,7 +239,7 @@ def test_bend_in_small_steps_counts_as_one_bend():
 
 
 @pytest.mark.parametrize("count, degrees, hunting", [(8, 6, True), (7, 6, False), (8, 9, True), (8, 12, False)])
-def test_eight_small_corrections_per_spiral_turn_are_hunting(count, degrees, hunting):
+def test_spiral_with_8_small_corrections_per_turn_is_hunting(count, degrees, hunting):
     found = section(square_spiral(5, jogs(count, degrees)))
     assert found.rings.winding.all()
     assert found.hunting[:4].tolist() == [hunting] * 4

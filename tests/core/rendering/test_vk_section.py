@@ -35,7 +35,7 @@ def test_section_shows_the_profile_of_a_slot(slot):
 
 
 @pytest.mark.parametrize("hides_above", [True, False])
-def test_level_section_fills_the_cut_material(slot, hides_above):
+def test_horizontal_section_fills_the_cut_material(slot, hides_above):
     direction = (0, 0, -1 if hides_above else 1)
     for height, area in ((8.0, 54 * 40), (3.0, 60 * 40)):
         shown, frame = drawn(slot, direction, Section(2, height, hides_above))

@@ -60,7 +60,7 @@ def test_engraving_behind_the_part_is_hidden():
         assert ((shown.owner >= first).sum() > 300) == is_seen
 
 
-def test_wide_cuts_and_views_from_below_have_no_lines():
+def test_wide_cuts_are_not_drawn_as_lines_nor_views_from_below():
     for tool, direction in ((Tool("endmill", 6), (0, 0, -1)), (NARROW["end mill"], (0, 1, 1))):
         before, after = drawn(tool, direction, step=0), drawn(tool, direction)
         dark = (after.image.astype(int).sum(axis=-1) < 0.7 * before.image.astype(int).sum(axis=-1)).mean()

@@ -108,7 +108,7 @@ def test_step_beside_another_step_is_a_slope(steps, slope):
 
 
 @pytest.mark.parametrize("fall", [0.1, 1.0])
-def test_slope_rotated_by_a_quarter_has_equal_triangles(fall):
+def test_slope_turned_by_90_degrees_has_as_many_triangles(fall):
     heights = np.tile(fall * np.arange(40.0)[:, None], 60)
     along, across = (mesh_facets(one, 4.0, 0.5, lower=-1.0) for one in (heights, heights.T))
     assert along == pytest.approx(across)

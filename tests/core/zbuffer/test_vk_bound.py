@@ -91,7 +91,7 @@ def path_of(points):
 @pytest.mark.parametrize(
     ("theta", "projected"), [(0.0, 30), (pi / 2, 40), (np.arctan2(4, 3), 50), (np.arctan2(-3, 4), 0)]
 )
-def test_number_of_crossed_lines_follows_from_projected_length(theta, projected):
+def test_number_of_crossed_lines_is_the_projected_length(theta, projected):
     there_and_back = path_of([(10, 10, 5), (40, 50, 5), (10, 10, 5)])
     found = cauchy_crofton(there_and_back, stock=BLOCK, view=View(pixel=0.5), direction=theta)
     assert found == pytest.approx(2 * projected / 0.5)

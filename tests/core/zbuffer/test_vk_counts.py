@@ -21,7 +21,7 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
     [
         ([7], False),
         ([GAP, 2, 5, UNCUT], False),  # The ray was cut from its near end.
-        ([UNCUT, 4, 1, 3, UNCUT], False),  # The gap grew in both directions.
+        ([UNCUT, 4, 1, 3, UNCUT], False),  # The gap in the material grew in both directions along the ray.
         ([2, UNCUT, 1], True),  # Material is left between two gaps.
         ([UNCUT, 1, 4, 2, UNCUT], True),  # A third cut joined two gaps.
     ],

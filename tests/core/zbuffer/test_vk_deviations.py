@@ -138,7 +138,8 @@ def test_leftover_at_the_image_corner_joins_its_neighbours():
 def test_slightly_shifted_wall_does_not_hide_deeper_gouge():
     """Along the view, the shifted wall deviates most, by 9 mm.
 
-    In space, four places deviate more, so the wall is not in the first three.
+    If the deviation is measured in space, four places deviate more than the wall, so the wall is not in the first three
+    places.
     """
     depth = UNCUT.picture.depth.reshape(HEIGHT, WIDTH)
     part, model = (depth + np.float32(9) * (np.arange(WIDTH) >= edge) for edge in (101, 100))
@@ -315,7 +316,7 @@ def test_cut_within_tolerance_is_not_a_gouge():
     assert gouge.source.cut == 1 and gouge.depth == pytest.approx(2)
 
 
-def test_gouge_below_a_cavity_of_the_stock_has_its_source():
+def test_gouge_under_a_cavity_in_the_stock_has_its_source():
     """The stock has a cavity from 4 to 9 mm.
 
     A slot down to 2 mm gouges the 8 mm high model; a slot in the lid does not.
@@ -342,7 +343,10 @@ def test_gouge_below_a_cavity_of_the_stock_has_its_source():
 @pytest.mark.long
 @pytest.mark.parametrize("direction, seen", list(zip(VIEWS, (1, 1, 1, 0.7, 1))))
 def test_depth_of_a_wall_gouge_is_its_distance_not_its_height(direction, seen):
-    """The wall of a step of 8 mm is cut 1 mm too far. From the rear, only the width of the missing edge is visible."""
+    """The wall of a step of 8 mm is cut 1 mm too far.
+
+    From the rear, the edge of the step is missing, and only the width of the missing edge is visible.
+    """
     step = Milled(Stock((0, 0, 0), (40, 30, 10)), Stock((-1, -1, 2), (20, 31, 20)))
     z = simulate_job([Cut(path((18, -5, 2), (18, 35, 2)), FLAT)], stock=BOX, view=View(direction, 400, 300))
     (gouge,) = gouges(z, deviations(z, step), 0.1)
@@ -402,8 +406,8 @@ def test_leftover_in_through_holes_and_windows_is_measured():
     # The drill goes through the model and into the stock below the model.
     spare = Stock((0, 0, -3), (40, 30, 10))
     assert left(Cut(path((20, 15, 12), (20, 15, -1)), DRILL), stock=spare) == []
-    # A tool cuts along the wall of a window, and the inner piece falls out. An opening in the part's side is not a
-    # window.
+    # A tool cuts along the wall of a window, and the inner piece falls out. An opening in the part's side is not
+    # treated as a window.
     window = Milled(BOX, Stock((10, 8, -1), (30, 22, 20)))
     around = Cut(
         path((11, 9, 12), *((x, y, -1) for x, y in ((11, 9), (29, 9), (29, 21), (11, 21), (11, 9)))), Tool("endmill", 2)

@@ -73,7 +73,7 @@ def test_number_of_test_batches_is_at_least_the_number_of_bands():
     [
         ([1, 2, 16], 1, [1, 2, 16]),
         # With twice as many pixels, each number is the geometric mean of the old numbers for this tile size and for the
-        # next tile size. A number counts as at most 4 times the preceding number.
+        # next tile size. The number for the next tile size counts as at most 4 times the number for this tile size.
         ([1, 2, 16], 2, [sqrt(2), 4, 16]),
         ([1, 4], 4, [4, 16]),
         ([1, 4], 0.25, [0.25, 1]),
@@ -100,7 +100,7 @@ def test_growth_of_cut_cells_is_the_geometric_mean_of_two_models(step, growth, f
     assert work._cell_growth(growth) == pytest.approx(factor)
 
 
-def test_cut_cells_without_tile_counts_grow_like_the_pixels():
+def test_cut_cells_grow_like_the_pixels_without_tile_counts():
     assert Work(1, 1, 1, (), of_kind(kind_3=100), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
     assert Work(1, 1, 1, (of_kind(kind_3=9),), of_kind(), 0, (1, 0), 1, 1)._cell_growth(3.0) == 3
 
@@ -142,7 +142,7 @@ def test_all_tiles_are_sampled_if_they_have_few_trajectories():
     assert effort._draw_tiles(some, weight, np.ones(100), 100, np.random.default_rng(1)) == (some, weight)
 
 
-def test_tiles_of_equal_cost_are_sampled_at_equal_distances():
+def test_equally_costly_tiles_are_sampled_at_regular_steps():
     """Each of 100 tiles has 10 pairs of a tile and a trajectory.
 
     A sample of 200 pairs consists of 20 tiles, one of every five consecutive tiles.
@@ -238,7 +238,7 @@ def test_measured_speed_has_a_smaller_uncertainty():
     assert measured.processes == Speed().processes == 1
 
 
-def test_one_measured_time_scales_all_constants():
+def test_one_measured_time_scales_all_constants_of_the_speed():
     amounts = np.array([[5, 2e4, 300, 7, 1e4, 1e5, 2e3]])
     seconds = 3 * amounts @ Speed().constants
     assert fit_speed(amounts, seconds).constants == pytest.approx(3 * Speed().constants)

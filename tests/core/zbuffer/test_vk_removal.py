@@ -84,7 +84,7 @@ def test_single_ray_of_a_group_is_cut(slots):
     ("allowed", "parts"),
     [
         (3, [(0, 16, [0, 0]), (16, 64, [0, 0, 1]), (64, 67, [0, 0])]),
-        # One group of rays alone may exceed the limit.
+        # A group with more pairs than the limit is processed alone.
         (1, [(0, 16, [0, 0]), (16, 32, [0, 0]), (32, 64, [0]), (64, 67, [0, 0])]),
         (100, [(0, 67, [0, 0, 1, 1, 2, 4, 4])]),
     ],

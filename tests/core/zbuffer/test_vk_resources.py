@@ -414,7 +414,7 @@ def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
 
 @pytest.mark.long
 def test_speed_of_this_computer_can_be_measured():
-    ticks = count(step=0.25)  # Every run has the same duration.
+    ticks = count(step=0.25)  # Every simulation has the same duration.
     speed = measure_speed(clock=lambda: next(ticks))
     assert (speed.constants > 0).all() and speed.factor < Speed().factor
 

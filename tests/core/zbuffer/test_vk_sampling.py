@@ -159,7 +159,7 @@ def test_estimated_counts_of_an_image_cut_once_are_close():
     assert counts.traces_error < 0.1 * counts.traces
 
 
-def test_estimated_counts_of_an_image_cut_through_are_close():
+def test_counts_are_close_if_the_whole_image_is_cut_through():
     counts = count(removal([(0, 15, -1), (40, 15, -1)], WIDE))
     assert counts.dexels == pytest.approx(0, abs=1e-6 * 4800) and counts.traces == pytest.approx(4800, rel=0.05)
 
@@ -170,7 +170,7 @@ def test_pixels_count_as_cut_once_if_only_the_first_pass_cuts():
     assert counts.passes == pytest.approx(5 * counts.traces)
 
 
-def test_walls_around_a_slot_are_two_dexels():
+def test_ray_across_a_slot_has_a_dexel_for_each_wall():
     """In a front view of a slot along x, rays in 34 x 5 mm have a dexel before the slot and a dexel behind it."""
     counts = count(removal([(6, 15, 5), (34, 15, 5)], view=View((0, 1, 0), 200, 150)))
     per_area = 1 / 0.2**2

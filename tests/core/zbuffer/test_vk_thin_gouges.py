@@ -123,7 +123,7 @@ def test_wall_shaved_by_a_wide_tool_is_a_gouge(aside, depth):
     assert told == ([] if depth is None else [(4, 5, pytest.approx(depth, abs=0.07))])
 
 
-def test_walls_beyond_the_time_limit_are_in_the_verdict():
+def test_verdict_names_walls_beyond_the_time_limit():
     cuts, wall = [cut(*slot(103.1, 13.0), tool=Tool("endmill", 6))], Stock((0, 0, 0), (600, 100, 18))
     zbuffer = simulate_job(cuts, stock=PLATE, view=View(width=600, height=400))
     model, checked = SeenModel(wall, zbuffer.frame), check_crashes(cuts, PLATE)

@@ -148,7 +148,10 @@ def test_moves_that_meet_a_rectangle_of_the_image_are_found(direction):
 
 
 def test_intervals_of_rays_from_above_and_below_are_exact():
-    """Slots are cut at z = 7 and z = 3; depth 0 is z = 5. Replaced tools miss the rays, or are 0.5 mm higher."""
+    """Slots are cut at z = 7 and z = 3; depth 0 is z = 5.
+
+    If the tools are replaced, the ray misses the new tool, or the new tool is 0.5 mm higher.
+    """
     cuts = (FLAT, [(5, 10, 7), (35, 10, 7)]), (BALL, [(5, 20, 3), (35, 20, 3)])
     x, y, item = np.array([0.0, 0.0, 0.0, 0.0]), np.array([-5.0, 5.0, -5.0, -1.9]), np.array([0, 1, 1, 0])
     for direction, sign in ((ABOVE, 1), (BELOW, -1)):

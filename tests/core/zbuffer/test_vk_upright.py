@@ -156,7 +156,7 @@ def test_quarters_of_a_tile_that_a_level_move_meets_are_kept(side, ends, directi
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1)])
 @pytest.mark.parametrize("height, deeper, stay", [(9.9, 9.9, [0]), (-0.1, -2.0, [0]), (0.1, -2.0, [0, 1])])
-def test_move_that_is_not_deeper_is_dropped_in_an_opened_quarter(height, deeper, stay, direction):
+def test_move_no_deeper_than_the_opened_quarter_is_dropped(height, deeper, stay, direction):
     """A tool wider than the block of 10 mm moves back and forth at two heights. The move down is beside the block."""
     frame = View(direction, 160, 120, pixel=0.25).frame(BOX)
     points = [(-60, 15, height), (100, 15, height), (100, 15, deeper), (-60, 15, deeper)]

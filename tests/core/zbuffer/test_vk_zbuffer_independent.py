@@ -98,7 +98,7 @@ def wrong_probes(cuts, at, owner, uncut):
             # probe.
             earlier = reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, -CLEARANCE)
             wrong[probe[earlier]] = True
-        # The swept volume of the owner contains the probe.
+        # The swept volume of the owner (the removing trajectory) contains the probe.
         probe = np.flatnonzero(np.isin(owner, own) & (owner < uncut))
         item = owner[probe]
         wrong[probe] |= ~reached(tool, starts[item].T, (ends - starts)[item].T, at[probe].T, CLEARANCE)
@@ -208,7 +208,7 @@ BALLS = [Tool("ballend", 6), Tool("ballend", 2.5)]
 @pytest.mark.long
 @pytest.mark.parametrize("tools", [EVERY_TOOL, BALLS, CHAMFERS], ids=["any", "balls", "chamfers"])
 @pytest.mark.parametrize("direction", DIRECTIONS, ids=str)
-def test_points_belong_to_the_right_moves_of_several_tools(direction, tools):
+def test_removed_points_belong_to_the_right_moves_and_tools(direction, tools):
     """The images are up to several tiles wide."""
     rng = np.random.default_rng([DIRECTIONS.index(direction), len(tools)])
     paths = [PATHS[rng.integers(len(PATHS))] for _ in range(rng.integers(2, 5))]

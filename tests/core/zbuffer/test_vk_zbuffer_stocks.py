@@ -221,7 +221,7 @@ def test_memory_of_a_mesh_with_gaps_is_estimated(direction, segments):
 
 @pytest.mark.long
 def test_mesh_whose_gaps_need_too_much_memory_is_refused():
-    """Gaps need more memory than the gaps that are stored at the end, and less than twice as much."""
+    """During the simulation, gaps need up to twice the memory of the gaps that are stored at the end."""
     solids = {"tool": TOOLS[0], "view": View((0, 1, 0), 150, 100)}
     moves, block = toolpath(np.array([(10, 20, 12), (50, 20, 12)], float)), Stock(COMB.lower, COMB.upper)
     held, of_block = (

@@ -54,8 +54,8 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
     ----------
     angle : (n,) array_like of float
         Angles of the successive Gaussian images, which are points of the unit circle, rad.
-    radius : (n,) array_like of float
-        Distance from the centre at which each image is drawn. If the Gaussian images move back and forth on the same
+    radius : (n,) array_like of float Radius at which each Gaussian image is drawn, as a distance from the centre. If
+    the Gaussian images move back and forth on the same
         arc of the unit circle, different radii separate the drawn arcs.
 
     Returns
@@ -117,7 +117,7 @@ def overlapping(points: np.ndarray, lower: np.ndarray, upper: np.ndarray) -> np.
         Corners of the window.
     """
     a, b = points[:-1], points[1:]
-    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # False if a coordinate is NaN
+    inside = (np.minimum(a, b) <= upper) & (np.maximum(a, b) >= lower)  # the comparison is False if a coordinate is NaN
     return np.flatnonzero(inside.all(axis=1))
 
 
@@ -172,7 +172,7 @@ def proof(areas: Areas, first: int, last: int, *, around: bool) -> int:
         First and last trajectory (inclusive) of the part of the operation that follows the strategy.
     around : bool
         Whether the strategy consists of loops. For a strategy of loops, the area with the largest absolute phi is
-        returned; among areas with equal phi, the longest. For other strategies, the longest area is returned.
+        returned; among areas with equal phi, the longest. For strategies without loops, the longest area is returned.
     """
     begin = areas.index[areas.start]
     inside = np.flatnonzero((begin >= first) & (begin <= last))

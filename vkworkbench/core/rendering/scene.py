@@ -217,8 +217,8 @@ class _Drawn(NamedTuple):
 def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_walls: list[_PartWalls] | None) -> _Drawn:
     """Draw one layer (at most one column of material in each cell) of a field.
 
-    If `part_walls` is a list, the walls of the part are appended to it. With such a list, the result only shows whether
-    a wall belongs to the raw stock or was cut, but not which trajectory cut the wall.
+    If `part_walls` is a list, the walls of the part are appended to it. If `part_walls` is given, the result shows
+    whether a wall belongs to the raw stock or was cut, but not which trajectory cut the wall.
     """
     below = frame.direction[2] > 0
     layer, towards = layer.upside_down if below else layer, _light_of(frame)

@@ -43,7 +43,7 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
     -------
     maps : list of (nx, ny) float64
         Height of the stock's surface in every cell, mm. Cells where the toolpath cuts through have the height of the
-        stock's lower face. The last map shows the finished part.
+        stock's lower face. The last height map shows the finished part.
     size : float
         Edge of a cell, mm, which is the larger of 1/100 of the stock's longer side and 1/16 of the tool's radius.
     """

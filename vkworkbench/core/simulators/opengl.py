@@ -182,10 +182,10 @@ def opengl_cost(
 ) -> OpenGLCost:
     """Estimate the cost of one operation in the OpenGL simulator.
 
-    For each frame, all motions from the first to the present one are drawn in nine passes. In each pass, a straight
-    motion needs two draw calls, a vertical motion one, and an arc one per chord. Therefore the time of a play increases
-    with the square of the number of motions. The time to fill the area that a motion covers in the window is expressed
-    as additional draw calls. A rounded tool takes longer to draw, because its outline has more segments.
+    For each frame, all motions from the first to the present one are drawn in nine passes. In each drawing pass, a
+    straight motion needs two draw calls, a vertical motion one, and an arc one per chord. Therefore the time of a play
+    increases with the square of the number of motions. The time to fill the area that a motion covers in the window is
+    expressed as additional draw calls. A rounded tool takes longer to draw, because its outline has more segments.
 
     Parameters
     ----------

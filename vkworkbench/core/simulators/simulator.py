@@ -211,8 +211,8 @@ class Simulator:
     less_memory : Message
         Advice on how to reduce the memory of a simulation.
     columns : dict of str to callable
-        Columns in CSV and JSON. The keys are the names of the columns. Each function returns the column's value from a
-        cost.
+        Columns in CSV and JSON. The keys of the dictionary are the names of the columns. Each function returns the
+        column's value from a cost.
     factor_column : str or None
         Name of the column with the uncertainty factor of the time (`Cost.factor`), which comes after the columns of all
         simulators; None if `columns` contains the factor.

@@ -168,7 +168,8 @@ def find(what) -> list[Operation]:
     ----------
     what : Document, DocumentObject, or iterable of these objects
         A document stands for all its jobs and the toolpaths outside the jobs. A job, or its group of operations, stands
-        for the operations of the job. A folder stands for its members. Other objects have no toolpath.
+        for the operations of the job. A folder stands for its members. Objects that are not listed here have no
+        toolpath.
 
     Returns
     -------

@@ -82,8 +82,8 @@ def simulate_along_axis(
     memory_budget : float
         Upper bound for the memory, bytes. The time budget comes from the preferences.
     going_on : callable, optional
-        Called many times a second with the completed share of the simulation, 0 to 1. If this function raises, the
-        simulation ends.
+        Called many times a second with the completed share of the simulation, 0 to 1. If `going_on` raises an
+        exception, the simulation ends.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def zbuffer_along_axis(job: SimulatedJob, memory_budget: float, going_on: Callab
 
 
 class OnceAlongAxis:
-    """Returns the simulation of a job along its tool axis. The first call simulates the job.
+    """Returns the simulation of a job along its tool axis. The job is simulated at the first call only.
 
     Parameters
     ----------

@@ -30,7 +30,8 @@ class SimulatedOperation:
     imported : bool
         Whether the toolpath possibly comes from a G-code file.
     fingerprint : str
-        Fingerprint of path, tool and stock. Until the path is read, the fingerprint of tool and stock (the setting).
+        Fingerprint of path, tool and stock. Until the path is read, this is the fingerprint of tool and stock only (the
+        setting).
     """
 
     document: str
@@ -69,8 +70,8 @@ class SimulatedJob:
     name : str
         Internal name of the job; empty without a job.
     valid_for : str
-        Fingerprint of the job for which the verdict is valid, see `fingerprint_of_job`. Empty if only some operations
-        are simulated, or if the caller has given another stock or other clamps.
+        Fingerprint of the job for which the verdict is valid, see `fingerprint_of_job`. The fingerprint is empty if
+        only some operations are simulated, or if the caller has given another stock or other clamps.
     """
 
     operations: tuple[SimulatedOperation, ...]

@@ -163,7 +163,7 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
 
 
 class Busy(QWidget):
-    """A line with the running task and a button to cancel the task. The line appears after a delay.
+    """A line with the running task and a button to cancel the task, which appears after a delay.
 
     Parameters
     ----------

@@ -196,5 +196,5 @@ class MenuButton(QToolButton):
     def sizeHint(self) -> QSize:
         arrow = self.style().pixelMetric(
             QStyle.PM_MenuButtonIndicator
-        )  # the call has no widget argument, because FreeCAD 1.1's theme would return 0 for this button
+        )  # pixelMetric is called without a widget, because with a widget FreeCAD 1.1's theme would return 0 for this button
         return super().sizeHint() + QSize(arrow, 0)

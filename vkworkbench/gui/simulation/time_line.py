@@ -170,7 +170,7 @@ class TimeLine(KeyedWidget):
         return self.height() - _AIR - _BLOCKS - _BELOW
 
     def x_of(self, seconds: float) -> float:
-        """Return the x position of a moment, px."""
+        """Return the x position, px, of a moment on the time line."""
         return (seconds - self._begin) / self._span * (self.width() - 1) if self._span else 0.0
 
     def seconds_at(self, x: float) -> float:

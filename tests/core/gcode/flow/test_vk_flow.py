@@ -150,7 +150,7 @@ def test_variables_with_the_tools_position_are_evaluated():
     assert ends(fanuc)[-1] == (3, 6, 0) and said(fanuc) == []
 
 
-def test_reading_ends_only_where_a_machine_value_is_needed():
+def test_reading_a_program_ends_only_if_a_value_is_needed():
     text = f"O1\n{HEAD}#100=#4003\nIF[#5405 GE 9]THEN #3000=1\nX3\nS#4119 M3\nX4\nG#100 X5\nX6"
     assert xs(text) == [3, 4]
     assert said(text) == ["Line 8: S words are ignored.", f"Line 10: {END}The value of #4003 comes from the machine."]

@@ -66,7 +66,8 @@ class Interpreter(Machine):
         Returns
         -------
         bool
-            Whether the line ends the program or subprogram at once (M99). M2 and M30 set `ended` instead.
+            Whether the line ends the program or subprogram at once (M99). The result is False for M2 and M30, which set
+            `ended` instead.
         """
         self.number, self.deleted, self.call = number, deleted, None
         if self.dialect.modes_in_line:

@@ -73,12 +73,12 @@ class Inward(Dict[int, Shift]):
     Each shift is computed at its first use.
 
     The distance between two parallel curves is 2 dA / (P1 + P2), where dA is the difference of their areas and P1 and
-    P2 are their lengths (Steiner's formula). The formula is valid in any orientation. An inner offset's bounding box is
-    shifted inwards at all four sides. The smallest of the four shifts is about the distance between the curves, or more
-    if a sharp corner touches the box. If the smallest shift is much less or much more than the distance by Steiner's
-    formula, a part of the area between the two curves is an island. If a pocket is open at a straight side, the boxes
-    of all offsets share this side, and at most one adjacent side. The shared sides of the boxes are not shifted, so
-    that only the other sides show the distance.
+    P2 are their lengths (Steiner's formula). Steiner's formula is valid for curves in any orientation. An inner
+    offset's bounding box is shifted inwards at all four sides. The smallest of the four shifts is about the distance
+    between the curves, or more if a sharp corner touches the box. If the smallest shift is much less or much more than
+    the distance by Steiner's formula, a part of the area between the two curves is an island. If a pocket is open at a
+    straight side, the boxes of all offsets share this side, and at most one adjacent side. The shared sides of the
+    boxes are not shifted, so that only the other sides show the distance.
 
     Parameters
     ----------
@@ -200,8 +200,8 @@ def _steps_in_nests(inward: Inward) -> tuple[np.ndarray, bool]:
         true = even & ((inward.drop(lag) < ROUNDING.HEIGHT) | ~flat[lag:] | ~flat[:-lag])
         chained = bool(chain.any())
         if chained:
-            # In a chain of three rings at equal distances, the next offset is `lag` rings later. Ignore the distances
-            # to a lead-in or to a wall, which are not the stepover.
+            # In a chain of three rings at equal distances, the second offset is `lag` rings after the first offset.
+            # Ignore the distances to a lead-in or to a wall, which are not the stepover.
             of_chain = np.zeros(len(step), bool)
             of_chain[lag:] = chain
             of_chain[:-lag] |= chain
@@ -234,8 +234,8 @@ def evenness(steps: np.ndarray, drops: np.ndarray) -> float:
     Returns
     -------
     float
-        Relative spread of the horizontal distances, divided by the relative spread of the vertical distances. The ratio
-        is below 1 if the horizontal distances are more regular, and 0 for rings of a single depth.
+        Relative spread of the horizontal distances, divided by the relative spread of the vertical distances. A ratio
+        below 1 means that the horizontal distances are more regular; rings of a single depth have the ratio 0.
     """
     if len(steps) < 3 or drops.max() < ROUNDING.HEIGHT:
         return 0.0

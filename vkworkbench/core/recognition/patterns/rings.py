@@ -302,8 +302,9 @@ class Pairs:
 def _is_opposite(pairs: Pairs) -> np.ndarray:
     """Return whether the next ring is an offset cut in the opposite sense, in a series of at least three such rings.
 
-    Two rings are not enough, because an outline and its hole also have opposite senses. The opposite rings of one
-    pattern have the same shape. A boundary and an island between its offsets have different shapes.
+    An offset needs a series of three rings, because two rings can be an outline and its hole, which also have opposite
+    senses. The opposite rings of one pattern have the same shape. A boundary and an island between its offsets have
+    different shapes.
     """
     one, two = pairs.both(pairs.shapes.sense)
     turns, mean = pairs.offset & pairs.alike & (one != two), pairs.shift.mean

@@ -85,7 +85,7 @@ def _share_of_rows(section: Section, open_share: float) -> float:
 def _judge_bites(section: Section, rows: float, arcs: Verdict | None) -> Verdict | None:
     """Return adaptive clearing if enough strokes overlap, as the bites of a cutter with limited engagement do.
 
-    Circles interrupted at the boundary also overlap, but have a common centre. Concentric arcs therefore are not
+    Circles interrupted at the boundary overlap like bites, but have a common centre. Concentric arcs therefore are not
     adaptive clearing.
     """
     strokes = section.strokes
