@@ -149,9 +149,7 @@ def serve() -> None:
 
     with suppress(BrokenPipeError):
         say(_versions())
-        most_memory, work = (
-            received.get()
-        )  # receiving `work` also imports its modules, so the memory for these modules is not limited
+        most_memory, work = received.get()  # also imports the modules of `work`, whose memory is not limited
         _limit_memory(most_memory)
         while True:
             say(work(received.get()))

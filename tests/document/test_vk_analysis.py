@@ -207,7 +207,7 @@ def test_common_base_of_dress_up_and_array_is_not_in_the_total(small, zigzag_com
     small.job.Operations.Group = [
         dressup,
         array,
-    ]  # the base of the dress-up is not in the group, as after a dress-up in the window
+    ]  # without the dress-up's base, as in FreeCAD's window
     counted = {o.label: o.counted for o in vkworkbench.analyze(small.document).operations}
     assert counted == {"Dress-up": True, "Base": False, "Array": True}
     assert vkworkbench.analyze(base).operations[0].job == small.job.Name

@@ -86,7 +86,7 @@ def test_arc_with_growing_radius_is_part_of_a_spiral(climb, spirals):
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.3, True)])
 def test_arcs_of_few_chords_with_growing_radius_are_a_spiral(climb, spirals):
-    """The radius grows by three quarters of `climb` between the middle of the first chord and the middle of the last chord.
+    """Between the middles of the first and of the last chord, the radius grows by three quarters of `climb`.
 
     In a full turn of four quarter circles, the radius grows by 0.4 or 1.2 mm.
     """
@@ -119,7 +119,7 @@ def test_rows_have_no_common_centre(degrees, lean):
 
 @pytest.mark.parametrize(("degrees", "bent"), [(17, False), (24, True)])
 def test_arc_of_less_than_twenty_degrees_counts_as_straight(degrees, bent):
-    """The scatter of the directions of an arc of 20 degrees is at the limit, a hundredth of the largest possible scatter."""
+    """The directions of an arc of 20 degrees scatter as much as the limit allows, a hundredth of the maximum."""
     arcs = found([60, 62, 64, 66], sector=np.radians(degrees))
     assert (arcs is not None) == bent
     assert arcs is None or arcs.step == pytest.approx(2, rel=1e-2)

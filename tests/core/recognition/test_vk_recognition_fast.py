@@ -40,7 +40,7 @@ def test_fast_percentiles_by_row_equal_those_of_numpy():
         (
             [0.0, 0.6 * ROUNDING.HEIGHT, 1.2 * ROUNDING.HEIGHT],
             1,
-        ),  # The heights form a series in which each height is near the next height.
+        ),  # Neighbouring heights are close.
         ([-3.0, -1.0, -3.0, -2.0], 3),
     ],
 )

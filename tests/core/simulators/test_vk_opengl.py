@@ -99,9 +99,7 @@ def test_drawn_area_of_an_arc_is_the_area_of_its_chords_and_tool():
 
 def play(path, diameter, speed, constants):
     """Return the duration of a play in which each frame draws all cuts so far, like FreeCAD's simulator."""
-    drawn = [
-        0.0
-    ]  # Cost of a frame after each step, in draw calls. The cost of a frame includes the time to fill the drawn area.
+    drawn = [0.0]  # Cost of a frame after each step, in draw calls; it includes the time to fill the drawn area.
     made = motions(path)
     # At a distance of 160 mm, the window shows an angle of 0.7 rad vertically, and its width is four thirds of its
     # height.

@@ -196,5 +196,5 @@ class MenuButton(QToolButton):
     def sizeHint(self) -> QSize:
         arrow = self.style().pixelMetric(
             QStyle.PM_MenuButtonIndicator
-        )  # pixelMetric is called without a widget, because with a widget FreeCAD 1.1's theme would return 0 for this button
+        )  # no widget argument, because with a widget FreeCAD 1.1's theme would return 0
         return super().sizeHint() + QSize(arrow, 0)

@@ -167,9 +167,7 @@ def _work(batch: list[tuple[Key, Source]]) -> Callable:
                     yield key, drawing
             except Cancelled:
                 raise
-            except (
-                Exception
-            ):  # the other operations are drawn even if one operation fails; the analysis reports the error
+            except Exception:  # draw the other operations; the analysis reports the error
                 FreeCAD.Console.PrintLog(traceback.format_exc())
             if not found:
                 yield key, None
