@@ -37,6 +37,7 @@ def lowest_place(player):
     level &= np.abs(depth[2:-2, 2:-2] - np.roll(depth, 2, 1)[2:-2, 2:-2]) < 1e-3
     row, column = np.unravel_index(np.argmax(np.where(level, depth[2:-2, 2:-2], -np.inf)), level.shape)
     ratio = player.view.devicePixelRatioF()
+    ratio *= scene.depth.shape[0] / scene.pixels.shape[0]  # the depths of an averaged picture are finer
     return QtCore.QPoint(int((column + 2) / ratio), int((scene.depth.shape[0] - 3 - row) / ratio))
 
 
@@ -49,6 +50,18 @@ def test_click_shows_the_depth_of_a_pocket(player, window):
     assert numbers(player.play_bar.text.text())[-1] == pytest.approx(top - surface.place[2], abs=0.01)
     assert surface.place[2] < top - 1
     window.screenshot("simulation-depth")
+
+
+def test_clicked_depth_is_exact_in_an_oblique_view(player, window):
+    """The operation *Face* cuts 1.5 mm below the top of the stock."""
+    player.look("Isometric")
+    finest(player, window)
+    spots = [place(player, (x / 20, y / 20)) for x in range(20) for y in range(20)]
+    found = [player.view.surface_at(spot) for spot in spots]
+    faced = {s.place[2] for s in found if s and s.owner >= 0 and player.clock.cuts.source(s.owner).cut == 0}
+    player.look("Top")
+    top = player.job.stock.upper[2]
+    assert any(top - z == pytest.approx(1.5, abs=1e-3) for z in faced)
 
 
 def test_two_clicks_show_the_distance_between_them(player, window):

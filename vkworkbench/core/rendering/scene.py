@@ -41,7 +41,8 @@ class Scene:
     Attributes
     ----------
     depth : (height, width) float32
-        Depth of the visible surface, mm, row 0 at the bottom; NaN where the image is empty.
+        Depth of the visible surface, mm, row 0 at the bottom; NaN where the image is empty. In an averaged picture, the
+        depths are finer than the colours.
     pixels : (height, width) uint32
         Colours as 0xffRRGGBB, row 0 at the top.
     find_owner : callable
@@ -67,7 +68,10 @@ class Scene:
         return (self.pixels[..., None] >> np.array((16, 8, 0), np.uint32)).astype(np.uint8)
 
     def averaged(self, factor: int) -> Scene:
-        """Return a smaller picture, in which each colour is the mean of `factor` times `factor` pixels."""
+        """Return a smaller picture, in which each colour is the mean of `factor` times `factor` pixels.
+
+        Depths and owners keep the resolution of the larger picture, because their mean is meaningless at an edge.
+        """
         height, width = (side // factor for side in self.pixels.shape)
         parts = np.ascontiguousarray(self.pixels).view(np.uint8).reshape(height, factor, width, factor, 4)
         total = np.zeros((height, width, 4), np.uint16)
@@ -75,9 +79,8 @@ class Scene:
             for column in range(factor):
                 total += parts[:, row, :, column]
         total //= factor**2
-        every = slice(None, None, factor)
         pixels = total.astype(np.uint8).view(np.uint32).reshape(height, width)
-        return Scene(self.depth[every, every], pixels, lambda: self.owner[every, every])
+        return Scene(self.depth, pixels, lambda: self.owner)
 
 
 def scene(

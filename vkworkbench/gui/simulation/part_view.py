@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import floor, log10
 from typing import NamedTuple
 
@@ -288,7 +289,9 @@ class PartView(QWidget):
         row = height - 1 - int((where.y() * ratio - place.top()) / place.height() * height)
         if not (0 <= column < width and 0 <= row < height) or np.isnan(self._scene.depth[row, column]):
             return None
-        (point,) = self._frame.points([column], [row], self._scene.depth[row, column : column + 1])
+        # The depths of an averaged picture are finer than its pixels.
+        frame = replace(self._frame, pixel=self._frame.pixel * self._frame.width / width, width=width, height=height)
+        (point,) = frame.points([column], [row], self._scene.depth[row, column : column + 1])
         return Surface(int(self._scene.owner[row, column]), point)
 
     def wheelEvent(self, event) -> None:
