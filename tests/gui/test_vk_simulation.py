@@ -21,6 +21,7 @@ from vkworkbench.core import linearize
 from vkworkbench.document.marks import marks
 from vkworkbench.document.simulation.simulate import simulate_read
 from vkworkbench.gui.qt.plain_text import OneLine
+from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.simulation import controls, exports, simulating
 from vkworkbench.gui.simulation import player as playing
 from vkworkbench.gui.simulation.faults import differences
@@ -315,6 +316,18 @@ def test_colourings_and_chips_change_the_picture(simulated, window):
         window.wait(lambda: simulated.pictures.is_current)
         pictures.add(bytes(simulated.view._scene.image.tobytes()))
     assert len(pictures) == simulated.scene_bar.colorings.count() + 2
+
+
+def test_tab_and_marks_show_the_same_machining_times(simulated, desk, monkeypatch):
+    report = vkworkbench.analyze(desk.document)
+    clock = user().clock
+    for block, operation in zip(simulated.time_line._blocks, report.operations):
+        assert block.tooltip.endswith(", " + clock(operation.machining_seconds))
+    whole = clock(sum(operation.machining_seconds for operation in report.operations))
+    assert simulated._moment_text().startswith(f"{whole} of {whole} ")
+    monkeypatch.setattr(playing.Clock, "total", 119.6)  # s, rounded as in a mark
+    simulated.moment.seconds = 119.6
+    assert simulated._moment_text().startswith("2:00 of 2:00 ")
 
 
 def test_time_line_explains_its_colours(simulated, window):

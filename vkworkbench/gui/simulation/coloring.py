@@ -99,7 +99,7 @@ def by_strategy(zbuffer: ZBuffer, job: Job) -> Coloring:
 def by_time(zbuffer: ZBuffer, job: Job) -> Coloring:
     total = job.clock.total
     colors = scale_colors(job.clock.ends[1:] / total if total else job.clock.ends[1:])
-    return Coloring(palette(colors), lambda: _scale(SCALE, user().time(total), user().time(0)))
+    return Coloring(palette(colors), lambda: _scale(SCALE, user().clock(total), user().clock(0)))
 
 
 def by_removal_rate(zbuffer: ZBuffer, job: Job) -> Coloring:

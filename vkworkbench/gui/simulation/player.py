@@ -151,12 +151,9 @@ class Player(QWidget):
         blocks = []
         for number, (operation, strategy) in enumerate(zip(self.job.operations, self.drawing.strategies)):
             begin, end = float(begins[number]), float(begins[number + 1])
-            tooltip = f"{operation.label}\n{strategy_name(strategy)}, {self._duration(end - begin)}"
+            tooltip = f"{operation.label}\n{strategy_name(strategy)}, {self._about(user().clock(end - begin))}"
             blocks.append(Block(operation.label, tooltip, strategy.color, begin, end))
         self.time_line.show_job(tuple(blocks), self.clock.total)
-
-    def _duration(self, seconds: float) -> str:
-        return self._about(user().time(seconds))
 
     def _about(self, time: str) -> str:
         """Return a machining time as text, with "about" if the speeds of some moves are unknown."""
@@ -315,7 +312,7 @@ class Player(QWidget):
         """Return the shown time, the command at this time and the volume that it removes, as text."""
         moment, source = self.moment, self.clock.cuts.source(self.moment.last)
         text = translate("Vk_Simulate", "{} of {}   {}, command {}: {}").format(
-            self._about(_clock(moment.seconds)), _clock(self.clock.total), self.job.operations[source.cut].label,
+            self._about(user().clock(moment.seconds)), user().clock(self.clock.total), self.job.operations[source.cut].label,
             source.command + 1, self.job.listings[source.cut][source.command],
         )  # fmt: skip
         if self.drawing.removal is None or moment.noticed is None:
@@ -399,9 +396,3 @@ class Player(QWidget):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(operation.document, operation.name)
         self.asked.emit()
-
-
-def _clock(seconds: float) -> str:
-    minutes, rest = divmod(int(seconds), 60)
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02d}:{rest:02d}" if hours else f"{minutes}:{rest:02d}"
