@@ -642,10 +642,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Lines after the end of the program are ignored.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1419,6 +1415,14 @@
     </message>
     <message>
         <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under cutter compensation ({name}), the first move and outer corners are read as in LinuxCNC. On Fanuc controls, they can differ by up to the diameter of the tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2397,7 +2401,7 @@ Memory</source>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Names of attributes of `Rings`.</extracomment>
+        <extracomment>Attributes of `Rings` whose shares of the section&apos;s length are measures.</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -546,10 +546,6 @@
         <translation>Ein Spline ({name}) wird als Gerade gelesen.</translation>
     </message>
     <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>Zeilen nach M2 oder M30 werden als Teil desselben Programms gelesen.</translation>
-    </message>
-    <message>
         <source>Lines after the end of the program are ignored.</source>
         <translation>Zeilen nach dem Programmende werden übergangen.</translation>
     </message>
@@ -1420,6 +1416,14 @@
     <message>
         <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
         <translation>Nach G80 wird eine Bewegung ohne G0 oder G1 als Eilgang gelesen. Manche Steuerungen fahren im Vorschub.</translation>
+    </message>
+    <message>
+        <source>Under cutter compensation ({name}), the first move and outer corners are read as in LinuxCNC. On Fanuc controls, they can differ by up to the diameter of the tool.</source>
+        <translation>Unter der Radiuskorrektur ({name}) werden die erste Bewegung und Außenecken wie in LinuxCNC gelesen. Auf Fanuc-Steuerungen können sie um bis zu einem Werkzeugdurchmesser abweichen.</translation>
+    </message>
+    <message>
+        <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
+        <translation>Zeilen nach M2, M17 oder M30 werden als Teil desselben Programms gelesen.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2407,7 @@ höchstens</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Names of attributes of `Rings`.</extracomment>
+        <extracomment>Attributes of `Rings` whose shares of the section&apos;s length are measures.</extracomment>
         <translation>Zeit für „Werkzeugwege simulieren“. Eine Operation wird allein simuliert, am ganzen Rohteil. In einem Auftrag schneidet jede Operation das Rohteil, das noch übrig ist.</translation>
     </message>
     <message>

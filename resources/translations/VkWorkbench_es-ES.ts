@@ -546,10 +546,6 @@
         <translation>Un spline ({name}) se lee como una recta.</translation>
     </message>
     <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>Las líneas después de M2 o M30 se leen como parte del mismo programa.</translation>
-    </message>
-    <message>
         <source>Lines after the end of the program are ignored.</source>
         <translation>Las líneas después del final del programa se ignoran.</translation>
     </message>
@@ -1420,6 +1416,14 @@
     <message>
         <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
         <translation>Después de G80, un movimiento sin G0 ni G1 se lee como un rápido. Algunos controles se mueven al avance.</translation>
+    </message>
+    <message>
+        <source>Under cutter compensation ({name}), the first move and outer corners are read as in LinuxCNC. On Fanuc controls, they can differ by up to the diameter of the tool.</source>
+        <translation>Con la compensación de radio ({name}), el primer movimiento y las esquinas exteriores se leen como en LinuxCNC. En los controles Fanuc pueden diferir hasta el diámetro de la herramienta.</translation>
+    </message>
+    <message>
+        <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
+        <translation>Las líneas después de M2, M17 o M30 se leen como parte del mismo programa.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2407,7 @@ como mucho</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Names of attributes of `Rings`.</extracomment>
+        <extracomment>Attributes of `Rings` whose shares of the section&apos;s length are measures.</extracomment>
         <translation>Tiempo de «Simular trayectorias». Una operación se simula sola, sobre el material entero. En un trabajo, cada operación corta el material que queda.</translation>
     </message>
     <message>

@@ -546,10 +546,6 @@
         <translation>Une spline ({name}) est lue comme une droite.</translation>
     </message>
     <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>Les lignes après M2 ou M30 sont lues comme partie du même programme.</translation>
-    </message>
-    <message>
         <source>Lines after the end of the program are ignored.</source>
         <translation>Les lignes après la fin du programme sont ignorées.</translation>
     </message>
@@ -1420,6 +1416,14 @@
     <message>
         <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
         <translation>Après G80, un déplacement sans G0 ni G1 est lu comme un déplacement rapide. Certaines commandes se déplacent à la vitesse d&apos;avance.</translation>
+    </message>
+    <message>
+        <source>Under cutter compensation ({name}), the first move and outer corners are read as in LinuxCNC. On Fanuc controls, they can differ by up to the diameter of the tool.</source>
+        <translation>Avec la compensation de rayon ({name}), le premier mouvement et les angles extérieurs sont lus comme dans LinuxCNC. Sur les commandes Fanuc, ils peuvent différer jusqu&apos;au diamètre de l&apos;outil.</translation>
+    </message>
+    <message>
+        <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
+        <translation>Les lignes après M2, M17 ou M30 sont lues comme partie du même programme.</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2407,7 @@ au plus</translation>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Names of attributes of `Rings`.</extracomment>
+        <extracomment>Attributes of `Rings` whose shares of the section&apos;s length are measures.</extracomment>
         <translation>Durée de « Simuler l&apos;usinage ». Une opération est simulée seule, sur le brut entier. Dans une tâche, chaque opération coupe le brut restant.</translation>
     </message>
     <message>

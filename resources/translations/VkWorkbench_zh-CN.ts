@@ -546,10 +546,6 @@
         <translation>样条（{name}）按直线读取。</translation>
     </message>
     <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>M2 或 M30 之后的行按同一程序的一部分读取。</translation>
-    </message>
-    <message>
         <source>Lines after the end of the program are ignored.</source>
         <translation>程序结束之后的行被忽略。</translation>
     </message>
@@ -1420,6 +1416,14 @@
     <message>
         <source>After G80, a move without G0 or G1 is read as a rapid. Some controls move at the feed rate.</source>
         <translation>G80 之后没有 G0 或 G1 的移动按快速移动读取。有些控制系统按进给速度移动。</translation>
+    </message>
+    <message>
+        <source>Under cutter compensation ({name}), the first move and outer corners are read as in LinuxCNC. On Fanuc controls, they can differ by up to the diameter of the tool.</source>
+        <translation>在刀具半径补偿（{name}）下，第一个移动和外角按 LinuxCNC 的方式读取。在 Fanuc 控制器上，偏差最多可达一个刀具直径。</translation>
+    </message>
+    <message>
+        <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
+        <translation>M2、M17 或 M30 之后的行按同一程序的一部分读取。</translation>
     </message>
 </context>
 <context>
@@ -2403,7 +2407,7 @@ at Most</source>
     </message>
     <message>
         <source>Time that Simulate Toolpaths takes. An operation is simulated alone, on the whole stock. In a job, each operation cuts the stock that is left.</source>
-        <extracomment>Names of attributes of `Rings`.</extracomment>
+        <extracomment>Attributes of `Rings` whose shares of the section&apos;s length are measures.</extracomment>
         <translation>“模拟刀具路径”所需的时间。操作单独在完整毛坯上模拟。在作业中，每个操作切削剩余的毛坯。</translation>
     </message>
     <message>

@@ -35,6 +35,15 @@ def test_compensated_path_cuts_inner_corners_short(start):
     assert ends(start + SQUARE + "G40 X0 Y0") == [[30, 2], [58, 2], [58, 38], [22, 38], [22, 10], [0, 0]]
 
 
+def test_wear_is_added_to_the_radius_of_a_fanuc_offset():
+    """A Fanuc control's first move and outer corners can differ from LinuxCNC's, so a remark reports them."""
+    text = "G10 L12 P3 R2.5\nG10 L13 P3 R-.5\nG41 D3 G1 X30 Y0\nX60\nG40 X0 Y0"
+    assert ends(text) == [[30, 2], [60, 2], [0, 0]]
+    assert codes(text) == [("compensation-of-linuxcnc", "G41")]
+    assert codes("G10 L12 P3 R2\nG91 G10 L12 P3 R1\nG90 G41 D3 G1 X30 Y0") == [("compensation-not-read", "G41")]
+    assert codes("G10 L1 P3 R2\nG41 D3 G1 X30 Y0") == []
+
+
 def test_compensated_path_rounds_outer_corners():
     text = "G42.1 D4 G1 X30 Y0\nX60\nY40\nX20\nG40\nG0 X0 Y0"
     assert ends(text) == [[30, -2], [60, -2], [62, 0], [62, 40], [60, 42], [20, 42], [0, 0]]

@@ -94,3 +94,17 @@ def test_r_plane_above_the_series_start_is_reached_before_a_hole():
 def test_g52_shift_along_the_hole_also_moves_the_r_plane():
     text = "G21 G90 G99\nG0 X20 Y0 Z0\nG52 X10 Z5\nG19 G81 Y1 X-4 R2 F100\nG80"
     assert points(text)[1:] == [[20, 1, 0], [12, 1, 0], [6, 1, 0], [12, 1, 0]]
+
+
+def test_shift_at_the_bottom_of_g76_has_a_remark():
+    text = "O1\nG21 G90\nG0 X0 Y0 Z5\nG76 X5 Y5 Z-5 R2 Q.5 P100 F100\nX9\nG80"
+    assert codes(text) == ["word-not-read"] and points(text)[-2:] == [[9, 5, -5], [9, 5, 5]]
+
+
+def test_k_word_of_pecks_in_one_place_is_not_read_as_repeats():
+    """On Haas controls, K is a depth. On Fanuc controls, K would drill the same hole again."""
+    text = "O1\nG21 G90\nG0 X0 Y0 Z5\nG73 X5 Y0 Z-5 R2 Q9 {} F100\nG80"
+    once = points(text.format(""))
+    assert points(text.format("K6")) == once and codes(text.format("K6")) == ["word-not-read"]
+    assert points(text.format("L2"))[: len(once)] == once and len(points(text.format("L2"))) > len(once)
+    assert len(points(text.format("G91 K2"))) > len(once) and points(text.format("K0")) == [[0, 0, 5]]

@@ -112,6 +112,9 @@ def test_raw_freecad_paths_have_feeds_per_second():
     raw = "G0 X0.000000 Y0.000000 Z5.000000\nG1 F10.000000 X0.000000 Y0.000000 Z-1.000000\nG1 F20.000000 X9.000000\n"
     path = read_program(raw).toolpath()
     assert path.feed.tolist() == [10, 20] and path.problems[0].what.code == "feeds-per-second"
+    numbered = raw.replace("\nG1", "\n N1 G1").replace("9.000000", "9.000000 (end)")
+    for copied in (raw.lower(), raw.replace("\n", "\n\n"), raw.replace("\n", "\r"), numbered):
+        assert read_program(copied).toolpath().feed.tolist() == [10, 20]
     for posted in (raw.replace("000000", "000"), raw.replace("F20.000000 X9.000000", "X9.000000 F20.000000")):
         assert read_program(posted).toolpath().feed[-1] == pytest.approx(20 / 60)
 

@@ -244,7 +244,7 @@ def test_valid_words_in_a_line_with_unreadable_text_are_read():
         ("G47 P0 X5 Y0 J5", 0, ["unknown-code-with-words"]), ("G150 P1 X5 Y0 Z-5", 0, ["unknown-code-with-words"]),
         ("G70 I10 J0 L4", 0, ["hole-pattern-not-read"]), ("G154 P2\nG1 X1", 1, ["coordinates-not-changed"]),
         ("G200 Q200=2\nG1 X5", 5, ["line-with-variables"]), ("G2 X10 Y0 CR=5", 10, []), ("G1 X=10", 10, []), ("G642\nG1 X1", 1, []),
-        ("G505\nG1 X1", 1, ["coordinates-not-changed"]), ("L10 P3", 0, ["subprogram-not-read"]), ('MSG("x")\nG1 X1', 1, ["words-not-read"]),
+        ("G505\nG1 X1", 1, ["coordinates-not-changed"]), ("L10 P3", 0, ["subprogram-not-read"]), ('MSG("x")\nG1 X1', 1, []),
         ("G15 H2\nG1 X3", 3, ["coordinates-not-changed"]), ("CALL O9\nG1 X1", 1, ["words-not-read"]), ("VC1=5\nG1 X1", 1, ["line-with-variables"]),
     ],
 )  # fmt: skip
@@ -260,3 +260,38 @@ def test_table_of_dialects_in_the_guide_is_correct(line, end, remarks):
 def test_control_languages_named_in_the_guide_are_refused(line):
     with pytest.raises(Unusable, match=r"The program is written for (Heidenhain|Siemens) controls"):
         read_program(f"G21 G90\nG0 X0 Y0 Z5\n{line}\n")
+
+
+@pytest.mark.parametrize(
+    ("line", "end", "remarks"),
+    [
+        ("M17\nX20", (20, 2, -1), ["goes-on"]),  # the end of a Siemens subprogram
+        ("G8 X20 Y5", (10, 2, -1), ["unknown-code-with-words"]),  # Fagor: a tangential arc
+        ("G8 G1 X20 Y5", (20, 5, -1), []),
+        ("G11", (10, 2, -1), ["unknown-code"]),  # Fagor: a mirror
+        ("G11 X10 Y10 P90", (10, 2, -1), ["unknown-code-with-words"]),  # Okuma: a shift and a rotation
+        ("G0 X10\nG63 Z-5 F300", (10, 2, -1), ["unknown-code-with-words"]),  # Siemens: a tap at feed
+        ("G63\nG1 X20", (20, 2, -1), []),
+        ("G59 P7\nX1\nG59 P8", (1, 2, -1), ["coordinates-not-changed"] * 2),  # Mach3
+        ("Z20 G71", (10, 2, -1), ["unknown-code"]),  # Okuma: the return level
+        ('N5 MSG ("X50")', (10, 2, -1), []),
+    ],
+)
+def test_codes_of_other_dialects_are_read_or_reported(line, end, remarks):
+    program = read_program(PLAIN + line)
+    assert tuple(program.toolpath().points[-1]) == end
+    assert sorted(problem.what.code for problem in program.problems for _ in range(problem.count)) == remarks
+
+
+def test_g11_after_the_data_of_a_fanuc_program_has_no_remark():
+    assert said("O1\n" + PLAIN + "G11") == []
+
+
+def test_call_of_a_heidenhain_label_has_one_remark():
+    program = read_program("%A G71\nN10 G00 G90 X+0 Y+0 Z+5\nN20 G01 X+10 F100\nN30 L1,3*\nN40 X+20\nN99 %A G71")
+    assert [(problem.what.code, problem.command) for problem in program.problems] == [("subprogram-not-read", 4)]
+    assert program.toolpath().points[-1].tolist() == [20, 0, 5]
+
+
+def test_e_word_after_a_coordinate_is_not_an_exponent():
+    assert last("G1X10E5") == (10, 2, -1) and last("G1 X1.5E-01 Y30000000E-7") == (0.15, 3, -1)

@@ -90,7 +90,7 @@ def test_ignored_words_of_programs_have_a_remark(line, problem):
         "G94",
         "G10 L1 P1 Z5",
         "M97",
-        "G76 Y1 Z-2 R1 I1\nG80 G0",
+        "G76 Y1 Z-2 R1\nG80 G0",
         "$X",
         "POPEN\nDPRNT[TIME*(HHMMSS):*#3021[60]]\nPCLOS",
         "N10 POPEN\nN20 DPRNT[X#100[33]]\nN30 PCLOS",

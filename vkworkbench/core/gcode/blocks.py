@@ -8,10 +8,11 @@ from array import array
 from collections.abc import Iterator
 from itertools import accumulate
 
-# A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05. The letters of LinuxCNC's polar coordinates are @ and ^.
+# A word is a letter with a number: G1, X-.5, Z +2, X1.5E-05, X3E-7 (Python and JavaScript write such small numbers;
+# X10E5 is two words, as in programs for 3D printers). The letters of LinuxCNC's polar coordinates are @ and ^.
 # Fanuc's letters ,R and ,C are for the corner after a move, and ,A is for the direction of a move. Spaces between
 # letter and number are allowed (in RS274/NGC by Kramer, Proctor and Messina, 2000).
-_WORD = re.compile(r"([A-Z@^]|,[ACR])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[-+]?\d+(?![.\d]))?)", re.ASCII)
+_WORD = re.compile(r"([A-Z@^]|,[ACR])[ \t]*([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:E(?:[-+]\d\d+|-[7-9])(?![.\d]))?)", re.ASCII)
 _NO_COMMENT = frozenset("(;")
 LARGEST_NUMBER = 99_999_999  # upper limit for the numbers of program lines and programs, and for numbers of repetitions
 
@@ -25,10 +26,15 @@ class Lines:
     ----------
     text : str
         The text of an NC program.
+
+    Attributes
+    ----------
+    text : str
+        The text, in which every line ends with LF.
     """
 
     def __init__(self, text: str) -> None:
-        self._text = text.replace("\r\n", "\n").replace("\r", "\n")
+        self.text = text.replace("\r\n", "\n").replace("\r", "\n")
         # For each line, the index of its first character in the text. The last element is the index after the end of
         # the text.
         self._starts = array("q", accumulate((len(line) + 1 for line in self), initial=0))
@@ -40,11 +46,11 @@ class Lines:
         return self.between(index, index + 1)
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._text.split("\n"))
+        return iter(self.text.split("\n"))
 
     def between(self, first: int, end: int) -> str:
         """Return the text of the lines from `first` to `end` - 1."""
-        return self._text[self._starts[first] : self._starts[end] - 1]
+        return self.text[self._starts[first] : self._starts[end] - 1]
 
     def size(self, first: int, end: int) -> int:
         """Return the number of characters of the lines from `first` to `end` - 1."""

@@ -33,8 +33,11 @@ _PERCENT = re.compile(r"(?:N\s*\d+\s*)?%")  # a block number can precede the per
 _CHECKSUM = re.compile(r"^(N[^#=\[]*?)\s*\*\s*\d{1,3}$|\s*\*$")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # Program lines that do not move the tool: grbl's queries and unlock command, and Fanuc's and Haas' print commands.
-_SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
+_SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?MSG|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*99(?!\d)")
+_LABEL_CALL = re.compile(
+    r"(?:N\s*\d+\s*)?L\s*\d+\s*,\s*\d+"
+)  # Heidenhain's call of a label: L1,3 runs label 1 three times.
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # A decimal comma, as in X10,5.
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
@@ -72,7 +75,8 @@ def read_program(text: str) -> Program:
     Unusable
         If the text is not an NC program, contains no moves, or is written in the language of another control.
     """
-    reader = _Reader(Lines(text), dialects.dialect_of(text))
+    lines = Lines(text)
+    reader = _Reader(lines, dialects.dialect_of(lines.text))
     reader.read()
     return reader.program()
 
@@ -164,7 +168,7 @@ class _Reader:
         if not code:
             self._keep(comments)
             return False
-        if code[0] in "$?NPBD" and _SAYS.fullmatch(code):
+        if code[0] in "$?NPBDM" and _SAYS.fullmatch(code):
             return False
         if self.machine.ended and code[0] in "O:":
             return True
@@ -312,6 +316,9 @@ class _Reader:
         dialects.refuse(line.strip().upper(), code, self.number)
         if _FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
+            return None
+        if self.machine.dialect is dialects.HEIDENHAIN and _LABEL_CALL.fullmatch(code):
+            self._problem(Message("subprogram-not-read"))
             return None
         code = self._common_spelling(code)
         words, rest = split_words(code)

@@ -67,6 +67,11 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     "compensation-not-read": QT_TRANSLATE_NOOP(
         "Sentences", "Cutter compensation ({name}) is ignored. The programmed path is used."
     ),
+    "compensation-of-linuxcnc": QT_TRANSLATE_NOOP(
+        "Sentences",
+        "Under cutter compensation ({name}), the first move and outer corners are read as in LinuxCNC. "
+        "On Fanuc controls, they can differ by up to the diameter of the tool.",
+    ),
     "feed-mode-not-read": QT_TRANSLATE_NOOP("Sentences", "Feeds after {name} are ignored."),
     "dwell-untimed": QT_TRANSLATE_NOOP("Sentences", "Dwell times are not included in the machining time."),
     "probing-untimed": QT_TRANSLATE_NOOP("Sentences", "Probing moves are not included in the machining time."),

@@ -64,7 +64,7 @@ PROGRAMS: dict[str, str | tuple[str, str]] = {
         "The tool length offset changes before a move without a Z word. The height of the move is unknown.",
     ),
     "spline-as-line": QT_TRANSLATE_NOOP("Sentences", "A spline ({name}) is read as a line."),
-    "goes-on": QT_TRANSLATE_NOOP("Sentences", "Lines after M2 or M30 are read as part of the same program."),
+    "goes-on": QT_TRANSLATE_NOOP("Sentences", "Lines after M2, M17 or M30 are read as part of the same program."),
     "after-end": QT_TRANSLATE_NOOP("Sentences", "Lines after the end of the program are ignored."),
     # Reasons why reading ends before the end of a program.
     "read-up-to": QT_TRANSLATE_NOOP("Sentences", "The program is read up to this line. {why}"),

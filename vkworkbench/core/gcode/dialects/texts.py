@@ -36,8 +36,10 @@ _OF_SIEMENS = re.compile(
 _INCHES_OF_SIEMENS = re.compile(r"\bG70(?!\d)", re.IGNORECASE)
 # A move with a feed rate in the text of a FreeCAD path that was not converted by a post processor. The words are in the
 # order of the alphabet and have six decimals; feed rates are in mm/s.
-_FEEDS = re.compile(r"^\s*(?:N\d+\s*)?G0*[1-3]\b[^(;\n]*F.*$", re.MULTILINE | re.IGNORECASE)
-_FEED_OF_PATH = re.compile(r"G[123] F\d+\.\d{6}(?: [I-KX-Z]-?\d+\.\d{6})+ *\r?")
+_FEEDS = re.compile(r"^[ \t]*(?:N\d+[ \t]*)?G0*[1-3]\b[^(;\n]*F[^(;\n]*", re.MULTILINE | re.IGNORECASE)
+_FEED_OF_PATH = re.compile(
+    r"\s*(?:N\d+\s*)?G0*[123]\s*F\d+\.\d{6}(?:\s*[I-KX-Z]-?\d+\.\d{6})+\s*", re.ASCII | re.IGNORECASE
+)
 
 
 def dialect_of(text: str) -> Dialect:

@@ -24,6 +24,8 @@ from vkworkbench.language import Message
 
 _SAME = 1e-6  # mm; points at most this far apart are treated as equal
 _LEFT = (410, 411)
+# L words of G10 that set a tool's radius: in LinuxCNC's tool table, and as Fanuc's geometry and wear offset.
+_TOOL_TABLE, _GEOMETRY, _WEAR = 1.0, 12.0, 13.0
 _STRAIGHT_ON = 0.05  # rad; at a corner with a smaller turn, LinuxCNC adds no arc
 
 
@@ -40,16 +42,24 @@ def _start(machine: Machine, line: Line) -> None:
     if line.code % 10:
         radius = machine.modes.unit * words["D"] / 2 if "D" in words else None
     else:
-        radius = machine.radii.get(words.get("D", -1.0))
+        radius = _radius(machine, words.get("D", -1.0))
     before, machine.compensation = machine.compensation, None
     place = machine.here()
     usable = machine.modes.plane == codes.XY_PLANE and not machine.is_mapped and {"X", "Y"} <= place.keys()
-    if radius is None or radius < 0 or not usable or machine.modes.feed_mode == codes.INVERSE_TIME:
+    if radius is None or not radius >= 0 or not usable or machine.modes.feed_mode == codes.INVERSE_TIME:
         machine.problem(Message("compensation-not-read", name=name))
     elif radius > 0:
         tool = complex(place["X"], place["Y"])
         programmed = tool if before is None else before.programmed
         machine.compensation = Compensation(name, 1 if line.code in _LEFT else -1, radius, programmed, tool)
+        if line.code % 10 == 0 and (machine.is_fanuc() or (_GEOMETRY, words["D"]) in machine.radii):
+            machine.problem(Message("compensation-of-linuxcnc", name=name))
+
+
+def _radius(machine: Machine, number: float) -> float | None:
+    """Return the radius of a tool offset with its wear, mm; None if the program does not contain the radius."""
+    radius = machine.radii.get((_TOOL_TABLE, number), machine.radii.get((_GEOMETRY, number)))
+    return None if radius is None else radius + machine.radii.get((_WEAR, number), 0.0)
 
 
 def _end(machine: Machine, line: Line) -> None:

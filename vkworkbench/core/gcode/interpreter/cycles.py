@@ -11,12 +11,15 @@ from vkworkbench.language import Message
 
 _MOST_REPEATS = 10_000
 _FINE_BORING = 760
+_SHIFT = frozenset("IJQ")  # G76's shift of the tool at the bottom, whose direction can be a setting of the control
 
 
 def _fine_boring(machine: Machine, line: Line) -> None:
-    """Process G76: fine boring, which is read as G86. A G76 with the words of a lathe's threading cycle is not read."""
+    """Process G76: fine boring, which is read as G86 without the shift at the bottom. A G76 with the words of a lathe's threading cycle is not read."""
     if "R" in line.letters and ("Y" in line.letters or "P" not in line.letters):
         line.motion = codes.BORING
+        for letter in sorted(line.letters & _SHIFT):
+            machine.problem(Message("word-not-read", letter=letter))
     else:
         machine.other(line)
 
@@ -36,7 +39,7 @@ def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: 
         if mode in codes.TAPPING:
             machine.problem(Message("word-not-read", letter="Q"))
     pecks = [letter for letter in "IJK" if letter in parameters]
-    letter = "L" if "L" in parameters else "K"
+    repeats = parameters.get("L", parameters.get("K", 1.0))
     drills_once = mode not in (*codes.PECKING, codes.BORING)
     if drills_once and {"Z", "I"} <= move.keys() and "R" not in move:
         # On Fagor controls, Z is the level of the reference plane (R in other dialects), I is the depth, and K is a
@@ -44,19 +47,23 @@ def repeats_of(machine: Machine, mode: int, parameters: dict[str, float], move: 
         move["R"], move["Z"] = move["Z"], move.pop("I")
         if "K" in parameters:
             machine.problem(Message("dwell-untimed"))
-        return _limited(machine, parameters.get("L", 1.0))
-    if mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
+        repeats = parameters.get("L", 1.0)
+    elif mode in codes.PECKING and ("I" in pecks or "J" in pecks or parameters.get("K", 1.0) % 1):
         # On Haas and Yasnac controls, I is the first peck, J reduces each further peck, and K is the smallest peck.
         if "I" in pecks and "Q" not in move:
             move["Q"] = move["I"]
             pecks.remove("I")
         for one in pecks:
             machine.problem(Message("word-not-read", letter=one))
-        letter = "L"
+        repeats = parameters.get("L", 1.0)
+    elif mode in codes.PECKING and "L" not in parameters and repeats > 1 and not machine.modes.relative:
+        # On Haas controls, K is a depth. On Fanuc controls, K is the number of repeats, here in the same hole.
+        machine.problem(Message("word-not-read", letter="K"))
+        repeats = 1.0
     elif drills_once:
         for one in sorted({"I", "J"} & parameters.keys()):
             machine.problem(Message("word-not-read", letter=one))
-    return _limited(machine, parameters.get(letter, 1.0))
+    return _limited(machine, repeats)
 
 
 def _limited(machine: Machine, repeats: float) -> int:

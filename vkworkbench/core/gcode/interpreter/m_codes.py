@@ -17,6 +17,7 @@ _SETTINGS = frozenset([92, 201, 203, 204, 205, 206])  # Marlin's M-codes for ste
 _OTHERS_M_CODE = 1000  # Smallest number of M-codes that vendors define, for example Snapmaker's M2000.
 _ORIENT = 19  # M19 turns the spindle to the angle in its R word.
 _SPINDLE = frozenset([3, 4, 5])
+_RETURN_OF_SIEMENS = 17  # In a main program, M17 ends the program like M30.
 # M-codes at which the operator or the tool changer can move the tool.
 _STOPS = frozenset([0, 1, 6, 60, 600])
 # LinuxCNC's M-codes that save, discard and restore the modal state.
@@ -31,6 +32,8 @@ def process(machine: Machine, value: float, letters: set[str]) -> bool:
         machine.place.lose("XYZ")
     elif value in (_SAVE, _FORGET, _SAVE_FOR_CALL):
         machine.saved[-1] = None if value == _FORGET else replace(machine.modes), value == _SAVE_FOR_CALL
+    elif value == _RETURN_OF_SIEMENS and machine.moved:  # at the beginning of a program, M17 is Marlin's
+        machine.ended = True
     elif value == _RESTORE:
         restore(machine, machine.saved[-1][0])
     if not machine.dialect.calls:

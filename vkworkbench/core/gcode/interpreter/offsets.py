@@ -3,19 +3,23 @@
 
 from __future__ import annotations
 
+from math import nan
+
 from vkworkbench.core.gcode.interpreter.state.line import Line
 from vkworkbench.core.gcode.interpreter.state.machine import Handler, Machine
 from vkworkbench.core.gcode.interpreter.state.origins import NUMBERED
 from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
-# L words of G10 that set a tool's radius: in LinuxCNC's tool table (L1), and in Fanuc's geometry offsets (L12).
-_RADII = (1.0, 12.0)
-_FIRST_OFFSET = 540
-# Codes whose line can contain the P word of Fanuc's G54. In a line with a code that is not in this set, the P word can
+# L words of G10 that set a tool's radius: in LinuxCNC's tool table (L1), and in Fanuc's geometry and wear offsets (L12,
+# L13), to which a G10 under G91 adds its R word.
+_RADII, _RADII_OF_FANUC = (1.0, 12.0, 13.0), (12.0, 13.0)
+# Work offsets with a P word, and the codes of the offsets that they select: Fanuc's G54 P1 is G54.1 P1; Mach3 has G59 P7.
+_WITH_P = {540: codes.MORE_OFFSETS, 590: 590}
+# Codes whose line can contain the P word of a work offset. In a line with a code that is not in this set, the P word can
 # belong to that code.
 _WITHOUT_P = frozenset([
-    *(("G", float(code)) for code in (0, 1, 17, 18, 19, 20, 21, 40, 43, 49, 54, 80, 90, 91, 94, 98, 99)),
+    *(("G", float(code)) for code in (0, 1, 17, 18, 19, 20, 21, 40, 43, 49, 54, 59, 80, 90, 91, 94, 98, 99)),
     *(("M", float(code)) for code in (3, 4, 5, 8, 9)),
 ])  # fmt: skip
 
@@ -41,9 +45,9 @@ def _offset(machine: Machine, line: Line) -> tuple[int, float] | None:
         return (code, words.get("H", 0.0)) if code == codes.OKUMA_OFFSET else None
     if code not in codes.OFFSETS:
         return None
-    if code == _FIRST_OFFSET and "P" in words and machine.motion not in codes.CYCLES:
+    if code in _WITH_P and "P" in words and machine.motion not in codes.CYCLES:
         numbered = _WITHOUT_P.issuperset(word for word in line.words if word[0] in "GM")
-        return (codes.MORE_OFFSETS if numbered else code), words["P"] if numbered else 0.0
+        return (_WITH_P[code] if numbered else code), words["P"] if numbered else 0.0
     return code, words.get("P", 0.0) if code in codes.NUMBERED_OFFSETS else 0.0
 
 
@@ -95,7 +99,8 @@ def _data(machine: Machine, line: Line) -> None:
     words = dict(line.words)
     kind, values = words.get("L"), line.lengths(machine.modes.unit)
     if kind in _RADII and {"P", "R"} <= words.keys():
-        machine.radii[words["P"]] = machine.modes.unit * words["R"]
+        adds = machine.modes.relative and kind in _RADII_OF_FANUC
+        machine.radii[kind, words["P"]] = nan if adds else machine.modes.unit * words["R"]
     if kind not in (2.0, 20.0):
         return
     system, place = _numbered(machine, words.get("P", -1.0), kind), machine.here()

@@ -10,7 +10,6 @@ from vkworkbench.core.gcode.moves import codes
 from vkworkbench.language import Message
 
 _LATHE_CYCLE = frozenset("PQUWR")  # with a P, Q, U, W or R word, G70 to G72 are turning cycles, not units
-_MOTIONS = frozenset(("G", code / 10) for code in codes.MOTIONS)
 _OF_RS274 = (200, 210)
 _HOLE_PATTERN = frozenset("IJKL")  # with an I, J, K or L word, G70 to G72 are patterns of holes (Haas, Yasnac)
 
@@ -43,7 +42,7 @@ def _pattern(machine: Machine, line: Line) -> None:
         line.feeds = False
         machine.leave_out(line, Message("hole-pattern-not-read", name=name))
     # On Okuma controls, G71 with a Z word sets the return level of canned cycles.
-    elif line.code == 710 and [letter for letter, _ in line.words if letter != "N"] == ["G", "Z"]:
+    elif line.code == 710 and sorted(letter for letter, _ in line.words if letter != "N") == ["G", "Z"]:
         machine.leave_out(line, Message("unknown-code", name=repr(name)))
     elif line.code in codes.UNITS and line.letters.isdisjoint(_LATHE_CYCLE):
         machine.measure_in(line.code)
@@ -61,7 +60,7 @@ def _tool_length(machine: Machine, line: Line) -> None:
     length = NO_LENGTH if line.code == 490 or number == 0 else (line.code, number)
     if length != machine.tool_length:
         machine.tool_length, machine.length_changed = length, machine.moved
-    if line.code == 431 and "H" not in line.letters and _MOTIONS.isdisjoint(line.words):
+    if line.code == 431 and "H" not in line.letters and codes.MOTION_WORDS.isdisjoint(line.words):
         line.apart = True  # the Z word is the tool's length, not the target of a move
     machine.other(line)
 

@@ -54,6 +54,11 @@ PROBES_OF_PROGRAMS = frozenset([310, *PROBES])
 # Codes that store the position for G28 and G30. If the line also contains axis words, Mach3 homes these axes, and
 # LinuxCNC moves the tool.
 STORED_POSITIONS = frozenset([281, 301])
+# G11 ends data on Fanuc controls, and mirrors or shifts the coordinates on Fagor and Okuma controls.
+END_DATA = 110
+# Codes that set a mode on Fanuc controls. With axis words, but without a motion in the line, G8 is a tangential arc on
+# Fagor controls, G11 shifts the coordinates on Okuma controls, and G63 is a tap at feed on Siemens controls.
+MOVES_ALONE = frozenset([80, END_DATA, 630])
 MORE_OFFSETS = 541
 NUMBERED_OFFSETS = frozenset([MORE_OFFSETS, 1540])  # G54.1 and G154: the P word is the number of the work offset
 OFFSETS = NUMBERED_OFFSETS | frozenset([
@@ -113,3 +118,4 @@ def name_of(code: int) -> str:
 
 
 MOTION_NAMES = frozenset(map(name_of, MOTIONS))
+MOTION_WORDS = frozenset(("G", code / 10) for code in MOTIONS)

@@ -51,7 +51,7 @@ class Machine:
     corner : Corner or None
         The corner after the last move; None if the last move's line has no corner word that can be read.
     radii : dict
-        The radii of tool offsets that the program contains (G10), mm, by their numbers.
+        The radii of tool offsets that the program contains, mm, by the L and P words of G10; NaN if unknown.
     first_unit : float or None
         The program's first unit, mm: 25.4 for inches, 1 for mm; None before the first unit word.
     motion : int
@@ -133,7 +133,7 @@ class Machine:
         self.maps = Maps()
         self.compensation: Compensation | None = None
         self.corner: Corner | None = None
-        self.radii: dict[float, float] = {}
+        self.radii: dict[tuple[float, float], float] = {}
         self.place = Place(self.commands)
         self.first_unit: float | None = None
         self.motion = self.before_cycles = self.written = -1
@@ -225,8 +225,10 @@ class Machine:
     def other(self, line: Line) -> None:
         """Process a G-code without a handler of its own."""
         of_a_lathe = self.clues.g_code(line.code // 10, line.letters, self.number)
-        homes = line.code in codes.STORED_POSITIONS and not line.letters.isdisjoint("XYZ")
-        if of_a_lathe or homes or line.code not in codes.HARMLESS:
+        moves = line.code in codes.STORED_POSITIONS
+        moves |= line.code in codes.MOVES_ALONE and codes.MOTION_WORDS.isdisjoint(line.words)
+        mirrors = line.code == codes.END_DATA and not self.is_fanuc()
+        if of_a_lathe or mirrors or (moves and not line.letters.isdisjoint("XYZ")) or line.code not in codes.HARMLESS:
             self.unknown(line.code, line)
 
     @property
