@@ -90,24 +90,13 @@ def _simulator(name: str) -> tuple[str, str, str] | None:
 
 @dataclass(frozen=True)
 class Property:
-    """A property of objects in FreeCAD documents, with its names in all versions.
+    """A property of objects in FreeCAD documents, with its names in all versions."""
 
-    Attributes
-    ----------
-    newest : str
-        Name in the newest version.
-    since : tuple of int
-        First version with this name.
-    before : tuple of str
-        Names in earlier versions, the newest first.
-    fingerprint : {"path", "setting"} or None
-        Part of the fingerprint of a mark in the tree; this part contains the property. If the property changes, the
-        mark is possibly outdated. None if no fingerprint contains the property.
-    """
-
-    newest: str
-    since: tuple[int, ...] = (0,)
-    before: tuple[str, ...] = ()
+    newest: str  # name in the newest version
+    since: tuple[int, ...] = (0,)  # first version with this name
+    before: tuple[str, ...] = ()  # names in earlier versions, the newest first
+    # {"path", "setting"} or None: part of the fingerprint of a mark in the tree; this part contains the property. If
+    # the property changes, the mark is possibly outdated. None if no fingerprint contains the property.
     fingerprint: str | None = None
 
     @property

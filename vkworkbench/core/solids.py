@@ -25,36 +25,22 @@ def point(name: str, given: object) -> np.ndarray:
 
 
 class Gaps(NamedTuple):
-    """Stretches of rays that are outside a solid, but between two stretches inside the solid.
+    """Stretches of rays that are outside a solid, but between two stretches inside the solid."""
 
-    Attributes
-    ----------
-    ray : (g,) ndarray of int
-        Index of the ray of each gap, ascending.
-    enter, leave : (g,) ndarray
-        Depths at which each gap begins and ends, mm, ascending within a ray.
-    """
-
-    ray: np.ndarray
+    ray: np.ndarray  # (g,) int: index of the ray of each gap, ascending
+    # enter, leave (g,): depths at which each gap begins and ends, mm, ascending within a ray.
     enter: np.ndarray
     leave: np.ndarray
 
 
 class Spans(NamedTuple):
-    """The stretches of rays inside a solid.
+    """The stretches of rays inside a solid."""
 
-    Attributes
-    ----------
-    near, far : (k,) ndarray
-        Depths at which each ray first enters and last leaves the solid, mm; ``near >= far`` if the ray misses the
-        solid.
-    gaps : Gaps
-        Stretches outside the solid between `near` and `far`.
-    """
-
+    # near, far (k,): depths at which each ray first enters and last leaves the solid, mm; ``near >= far`` if the ray
+    # misses the solid.
     near: np.ndarray
     far: np.ndarray
-    gaps: Gaps
+    gaps: Gaps  # stretches outside the solid between `near` and `far`
 
 
 class Convex:

@@ -127,52 +127,27 @@ def unread(path: Path, why: Message) -> OperationReport:
 
 @dataclass(frozen=True)
 class _Whole:
-    """Data that all operations of a program have in common.
-
-    Attributes
-    ----------
-    path : Path
-    other : Message or None
-    rotary : tuple of int
-        See the attributes `other` and `rotary` of `Program`.
-    chosen : Preferences
-    stock : Stock or None
-        A box around all cuts; None if no tool is known.
-    inches : bool
-        Whether the program is in inches but its numbers were read as millimetres.
-    remarks : tuple of Message
-        Remarks that are added to every operation.
-    undivided : bool
-        Whether no title and no tool change divides the program. An undivided program can contain several operations.
-    """
+    """Data that all operations of a program have in common."""
 
     path: Path
     other: Message | None
-    rotary: tuple[int, ...]
+    rotary: tuple[int, ...]  # see the attributes `other` and `rotary` of `Program`
     chosen: Preferences
-    stock: Stock | None
-    inches: bool
-    remarks: tuple[Message, ...]
+    stock: Stock | None  # a box around all cuts; None if no tool is known
+    inches: bool  # whether the program is in inches but its numbers were read as millimetres
+    remarks: tuple[Message, ...]  # remarks that are added to every operation
+    # Whether no title and no tool change divides the program. An undivided program can contain several operations.
     undivided: bool
 
 
 @dataclass(frozen=True)
 class Divided:
-    """A program that is divided into its operations.
+    """A program that is divided into its operations."""
 
-    Attributes
-    ----------
-    toolpath : Toolpath
-        The moves of the whole program; commands are lines, counted from 1.
-    parts : tuple of (Toolpath, Section)
-        The moves of each operation.
-    inches : bool
-        Whether the program is in inches but its numbers were read as millimetres. If True, the tools are too small by
-        the factor 25.4, like the moves.
-    """
-
-    toolpath: Toolpath
-    parts: tuple[tuple[Toolpath, Section], ...]
+    toolpath: Toolpath  # the moves of the whole program; commands are lines, counted from 1
+    parts: tuple[tuple[Toolpath, Section], ...]  # the moves of each operation
+    # Whether the program is in inches but its numbers were read as millimetres. If True, the tools are too small by the
+    # factor 25.4, like the moves.
     inches: bool
 
 

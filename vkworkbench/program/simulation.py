@@ -99,24 +99,14 @@ def simulate(
 
 @dataclass(frozen=True, eq=False)
 class ReadProgram:
-    """An NC program after reading, ready for simulation.
-
-    Attributes
-    ----------
-    path : Path
-    labels, lines : tuple of str
-        Label of each operation, and the range of its lines as text.
-    cuts : tuple of Cut
-        Moves and tool of each operation. Commands are lines of the text, counted from 1.
-    remarks : tuple of Message
-        Remarks on ignored commands, operations that are left out, and assumptions.
-    """
+    """An NC program after reading, ready for simulation."""
 
     path: Path
+    # labels, lines: label of each operation, and the range of its lines as text.
     labels: tuple[str, ...]
     lines: tuple[str, ...]
-    cuts: tuple[Cut, ...]
-    remarks: tuple[Message, ...]
+    cuts: tuple[Cut, ...]  # Moves and tool of each operation. Commands are lines of the text, counted from 1.
+    remarks: tuple[Message, ...]  # remarks on ignored commands, operations that are left out, and assumptions
 
 
 def _read(path: Path, tool: Tool | Mapping[int, Tool] | None, chosen: preferences.Preferences) -> ReadProgram:

@@ -18,47 +18,31 @@ MEASURES, SPARE = 10, 10  # number of used and of unused rows in a block of memo
 
 @dataclass
 class Moves:
-    """The `m` cutting moves that have a direction in the working plane, split into `a` monotonous areas.
+    """The `m` cutting moves that have a direction in the working plane, split into `a` monotonous areas."""
 
-    Attributes
-    ----------
-    index : (m,) int
-        Index of each move's trajectory.
-    x, y, z : (m,) float
-        Start of the move in the plane, and height of its end along the plane's normal, mm.
-    dx, dy, dz, length : (m,) float
-        Components of the move, and its length in the plane, mm.
-    alpha : (m,) float
-        Direction, rad.
-    turning : (m,) float
-        Turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area. For a half turn without a sign, only
-        the difference from half a turn is stored.
-    phi : (m,) float
-        Sum of the turns since the start of the area (the cumulative angular function), rad. The sum does not include
-        half turns without a sign.
-    start : (a,) int
-        First move of each area.
-    unsigned, reversals : (u,) and (r,) int
-        Moves that begin with half a turn within rounding (TURNS.UNSIGNED), and with exactly half a turn (TURNS.EXACT).
-    holes : (h,) int
-        Index of the last trajectory of each drilled hole.
-    """
-
-    index: np.ndarray
+    index: np.ndarray  # (m,) int: index of each move's trajectory
+    # x, y, z (m,) float: start of the move in the plane, and height of its end along the plane's normal, mm.
     x: np.ndarray
     y: np.ndarray
     z: np.ndarray
+    # dx, dy, dz, length (m,) float: components of the move, and its length in the plane, mm.
     dx: np.ndarray
     dy: np.ndarray
     dz: np.ndarray
     length: np.ndarray
-    alpha: np.ndarray
+    alpha: np.ndarray  # (m,) float: direction, rad
+    # (m,) float: turn at the start of the move, rad in [-pi, pi]; 0 at the start of an area. For a half turn without a
+    # sign, only the difference from half a turn is stored.
     turning: np.ndarray
+    # (m,) float: sum of the turns since the start of the area (the cumulative angular function), rad. The sum does not
+    # include half turns without a sign.
     phi: np.ndarray
-    start: np.ndarray
+    start: np.ndarray  # (a,) int: first move of each area
+    # unsigned, reversals (u,) and (r,) int: moves that begin with half a turn within rounding (TURNS.UNSIGNED), and
+    # with exactly half a turn (TURNS.EXACT).
     unsigned: np.ndarray
     reversals: np.ndarray
-    holes: np.ndarray
+    holes: np.ndarray  # (h,) int: index of the last trajectory of each drilled hole
 
     def __len__(self) -> int:
         """Return the number of moves."""

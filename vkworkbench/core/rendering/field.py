@@ -44,29 +44,19 @@ class Section(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """A field's layer, with at most one column of material in each cell; a border of empty cells surrounds the layer.
+    """A field's layer, with at most one column of material in each cell; a border of empty cells surrounds the layer."""
 
-    Attributes
-    ----------
-    top, bottom : (rows + 2, columns + 2) float32
-        Heights of the upper and lower end of each column above the centre of the stock, mm; `EMPTY` and ``-EMPTY`` in
-        an empty cell.
-    owner : (rows + 2, columns + 2) int32
-        Trajectory that cut the top of each column; `STOCK` for a top that belongs to the raw stock.
-    cell : float
-        Side of a cell, mm.
-    is_part : bool
-        True if the columns belong to the part, False if they are chips.
-    cut : (rows + 2, columns + 2) bool, optional
-        Whether the cut face made by the plane of a `Section` is visible at each cell, on the cell's own top or on the
-        wall behind the cell.
-    """
-
+    # top, bottom (rows + 2, columns + 2) float32: heights of the upper and lower end of each column above the centre of
+    # the stock, mm; `EMPTY` and ``-EMPTY`` in an empty cell.
     top: np.ndarray
     bottom: np.ndarray
+    # (rows + 2, columns + 2) int32: trajectory that cut the top of each column; `STOCK` for a top that belongs to the
+    # raw stock.
     owner: np.ndarray
-    cell: float
-    is_part: bool
+    cell: float  # side of a cell, mm
+    is_part: bool  # true if the columns belong to the part, False if they are chips
+    # (rows + 2, columns + 2) bool: whether the cut face made by the plane of a `Section` is visible at each cell, on
+    # the cell's own top or on the wall behind the cell.
     cut: np.ndarray | None = None
 
     @cached_property

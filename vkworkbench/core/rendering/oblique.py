@@ -28,43 +28,22 @@ _FRACTION = 16  # number of binary digits after the point in fixed-point positio
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """The surfaces that the pixels of an image see. Pixels in which no surface is visible are not included.
+    """The surfaces that the pixels of an image see. Pixels in which no surface is visible are not included."""
 
-    Attributes
-    ----------
-    pixel : (k,) int64
-        Indices of the pixels, counted row by row from the lowest row.
-    cell : (k,) int64
-        Cell of the layer that each pixel sees.
-    depth : (k,) float32
-        Depth of the visible point along the view, mm.
-    walls : Walls
-        The pixels that see the wall of a column instead of its top.
-    """
-
-    pixel: np.ndarray
-    cell: np.ndarray
-    depth: np.ndarray
-    walls: Walls
+    pixel: np.ndarray  # (k,) int64: indices of the pixels, counted row by row from the lowest row
+    cell: np.ndarray  # (k,) int64: cell of the layer that each pixel sees
+    depth: np.ndarray  # (k,) float32: depth of the visible point along the view, mm
+    walls: Walls  # the pixels that see the wall of a column instead of its top
 
 
 class Walls(NamedTuple):
-    """Pixels that see walls.
+    """Pixels that see walls."""
 
-    Attributes
-    ----------
-    number : (k,) int64
-        Position of each pixel in the arrays of `Seen`.
-    cell, front : (k,) int64
-        Cell whose wall is visible, and the cell in front of this cell.
-    height : (k,) float32
-        Height of the visible point in the coordinates of the layer, mm.
-    """
-
-    number: np.ndarray
+    number: np.ndarray  # (k,) int64: position of each pixel in the arrays of `Seen`
+    # cell, front (k,) int64: cell whose wall is visible, and the cell in front of this cell.
     cell: np.ndarray
     front: np.ndarray
-    height: np.ndarray
+    height: np.ndarray  # (k,) float32: height of the visible point in the coordinates of the layer, mm
 
     def chosen(self, which: np.ndarray) -> Walls:
         """Return the pixels that the mask `which` (k,) bool selects."""

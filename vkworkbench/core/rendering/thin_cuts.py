@@ -29,18 +29,10 @@ _sampled_before: WeakKeyDictionary[Cuts, tuple[float, tuple[np.ndarray, ...]]] =
 
 
 class ThinCuts(NamedTuple):
-    """Points on the surface of the part, directly above narrow cuts.
+    """Points on the surface of the part, directly above narrow cuts."""
 
-    Attributes
-    ----------
-    points : (k, 3) ndarray
-        Positions of the points, mm.
-    owner : (k,) ndarray of int
-        Trajectory that cuts at each point, ascending.
-    """
-
-    points: np.ndarray
-    owner: np.ndarray
+    points: np.ndarray  # (k, 3): positions of the points, mm
+    owner: np.ndarray  # (k,) int: trajectory that cuts at each point, ascending
 
 
 def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:

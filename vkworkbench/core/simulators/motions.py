@@ -13,22 +13,13 @@ from vkworkbench.core.toolpath import Toolpath
 
 @dataclass(frozen=True, eq=False)
 class Motions:
-    """The motions that FreeCAD's simulators compute from a toolpath; an arc is one motion, a drilling cycle three.
+    """The motions that FreeCAD's simulators compute from a toolpath; an arc is one motion, a drilling cycle three."""
 
-    Attributes
-    ----------
-    move : (m, 3) float64
-        Vector from the start to the end of each motion, mm.
-    sweep, radius : (m,) float64
-        Angle, rad, and radius, mm, of each arc in the XY plane; 0 for straight motions.
-    command : (m,) int64
-        Index of the command from which each motion is computed.
-    """
-
-    move: np.ndarray
+    move: np.ndarray  # (m, 3) float64: vector from the start to the end of each motion, mm
+    # sweep, radius (m,) float64: angle, rad, and radius, mm, of each arc in the XY plane; 0 for straight motions.
     sweep: np.ndarray
     radius: np.ndarray
-    command: np.ndarray
+    command: np.ndarray  # (m,) int64: index of the command from which each motion is computed
 
     @cached_property
     def level(self) -> np.ndarray:

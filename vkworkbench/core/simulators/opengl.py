@@ -50,24 +50,16 @@ def opengl_speeds(version: tuple[int, ...]) -> tuple[int, ...]:
 
 @dataclass(frozen=True, eq=False)
 class OpenGLWork:
-    """The numbers of simulation steps and draw calls in the OpenGL simulator, counted exactly.
+    """The numbers of simulation steps and draw calls in the OpenGL simulator, counted exactly."""
 
-    Attributes
-    ----------
-    steps : (m,) float64
-        Number of simulation steps in which each motion is played. The speed of a play is given in steps per frame.
-    draws : (m,) float64
-        Number of draw calls for each motion in every frame after the motion is finished.
-    area : (m,) float64
-        Area drawn for each motion in one rendering pass, as it appears in the first view, mm^2.
-    arc : (m,) bool
-        Whether each motion is an arc. While an arc is played, only its finished part is drawn; a straight motion is
-        always drawn completely.
-    """
-
+    # (m,) float64: number of simulation steps in which each motion is played. The speed of a play is given in steps per
+    # frame.
     steps: np.ndarray
-    draws: np.ndarray
+    draws: np.ndarray  # (m,) float64: number of draw calls for each motion in every frame after the motion is finished
+    # (m,) float64: area drawn for each motion in one rendering pass, as it appears in the first view, mm^2.
     area: np.ndarray
+    # (m,) bool: whether each motion is an arc. While an arc is played, only its finished part is drawn; a straight
+    # motion is always drawn completely.
     arc: np.ndarray
 
 

@@ -22,14 +22,10 @@ _JOBS = 8
 
 @dataclass(frozen=True)
 class ZBufferCost:
-    """The values of an estimate that an operation's mark in the tree stores, or their sums over several estimates.
+    """The values of an estimate that an operation's mark in the tree stores, or their sums over several estimates."""
 
-    Attributes
-    ----------
-    seconds, memory_bytes, factor, stock_bytes : float
-        See the attributes with the same names in :class:`~vkworkbench.core.zbuffer.Estimate`.
-    """
-
+    # seconds, memory_bytes, factor, stock_bytes: see the attributes with the same names in
+    # :class:`~vkworkbench.core.zbuffer.Estimate`.
     seconds: float
     memory_bytes: float
     factor: float

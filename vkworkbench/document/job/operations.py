@@ -18,23 +18,15 @@ from vkworkbench.language import ENGLISH, Message, Unusable
 
 @dataclass(frozen=True)
 class Operation:
-    """One operation to analyse.
+    """One operation to analyse."""
 
-    Attributes
-    ----------
-    object : DocumentObject
-        The object with the toolpath. In a job's group the object can be a link; then the linked object has the mark.
-    job : DocumentObject or None
-        The job of the operation; None for a toolpath that was imported without a job.
-    counted : bool
-        Whether the job's total includes the operation. The total includes each posted operation once.
-    active : bool
-        Whether FreeCAD posts the operation: neither the operation nor its dressed-up base is switched off.
-    """
-
+    # The object with the toolpath. In a job's group the object can be a link; then the linked object has the mark.
     object: object
+    # The job of the operation; None for a toolpath that was imported without a job.
     job: object | None = field(default=None)
+    # Whether the job's total includes the operation. The total includes each posted operation once.
     counted: bool = True
+    # Whether FreeCAD posts the operation: neither the operation nor its dressed-up base is switched off.
     active: bool = True
 
 

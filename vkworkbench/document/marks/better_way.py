@@ -19,21 +19,11 @@ OURS = "ours"  # value of `way` for the simulation tab of this add-on
 
 @dataclass(frozen=True)
 class BetterWay:
-    """A warning of a simulation that the user is about to start, with a faster way.
+    """A warning of a simulation that the user is about to start, with a faster way."""
 
-    Attributes
-    ----------
-    wrong : Message
-        The problem of the simulation.
-    better : Message
-        The faster way, with its time.
-    way : str
-        The name of one of FreeCAD's simulators (the legacy simulator runs in fast-forward), or `OURS`.
-    """
-
-    wrong: Message
-    better: Message
-    way: str
+    wrong: Message  # the problem of the simulation
+    better: Message  # the faster way, with its time
+    way: str  # the name of one of FreeCAD's simulators (the legacy simulator runs in fast-forward), or `OURS`
 
 
 def better_way(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> BetterWay | None:

@@ -21,71 +21,37 @@ _LARGEST = 1e15  # upper bound for numbers in any unit; a larger number comes fr
 
 @dataclass(frozen=True)
 class Record(Costs):
-    """The results of a marked operation, or the total of a job.
+    """The results of a marked operation, or the total of a job."""
 
-    Attributes
-    ----------
-    strategy : Strategy or None
-        Strategy of the operation; None for a job.
-    confidence : float
-    reason, remarks : tuple of Message
-        The reason for the strategy; problems of the operation and its unknown quantities.
-    cautions : tuple of Caution
-        Problems in FreeCAD's simulators.
-    operations, fixtures, trajectories : int
-        Number of operations, number of work offsets for which they are posted, and number of straight moves.
-    length : float
-        Cutting length, mm.
-    machining_seconds : float or None
-        Time of the moves whose speed is known, s.
-    left_out : tuple of Message
-        What the machining time does not include.
-    setup : Setup
-        The tool, and the time of its setup.
-    stepover : float or None
-        Stepover, mm.
-    called : str or None
-        FreeCAD's name for the operation's kind or pattern, if the toolpath contradicts this name.
-    incomplete : bool
-        Whether the cost of an operation is unknown, so that the costs of the job are lower bounds.
-    costs : dict of str to Cost
-        Costs of the simulation, by the name of the simulator.
-    fingerprint : str
-        Fingerprint of path, tool and stock; for a job, the fingerprints of its operations.
-    verdict : JobVerdict or None
-        The verdict of a simulation on a job.
-    outdated : bool
-    off : bool
-        Whether the operation lost its toolpath because it was switched off. The other data of the record becomes valid
-        again when the operation has its toolpath again.
-    text : str
-        Text of the mark in the description.
-    label : str
-        Current label of the operation; not stored.
-    """
-
-    strategy: Strategy | None
+    strategy: Strategy | None  # strategy of the operation; None for a job
     confidence: float = 0.0
+    # reason, remarks: the reason for the strategy; problems of the operation and its unknown quantities.
     reason: tuple[Message, ...] = ()
     remarks: tuple[Message, ...] = ()
-    cautions: tuple[Caution, ...] = ()
+    cautions: tuple[Caution, ...] = ()  # problems in FreeCAD's simulators
+    # operations, fixtures, trajectories: number of operations, number of work offsets for which they are posted, and
+    # number of straight moves.
     operations: int = 1
     fixtures: int = 1
     trajectories: int = 0
-    length: float = 0.0
-    machining_seconds: float | None = None
-    left_out: tuple[Message, ...] = ()
-    setup: Setup = field(default_factory=Setup)
-    stepover: float | None = None
+    length: float = 0.0  # cutting length, mm
+    machining_seconds: float | None = None  # time of the moves whose speed is known, s
+    left_out: tuple[Message, ...] = ()  # what the machining time does not include
+    setup: Setup = field(default_factory=Setup)  # the tool, and the time of its setup
+    stepover: float | None = None  # stepover, mm
+    # FreeCAD's name for the operation's kind or pattern, if the toolpath contradicts this name.
     called: str | None = None
+    # Whether the cost of an operation is unknown, so that the costs of the job are lower bounds.
     incomplete: bool = False
-    costs: Mapping[str, Cost] = field(default_factory=dict)
-    fingerprint: str = ""
-    verdict: JobVerdict | None = None
+    costs: Mapping[str, Cost] = field(default_factory=dict)  # costs of the simulation, by the name of the simulator
+    fingerprint: str = ""  # fingerprint of path, tool and stock; for a job, the fingerprints of its operations
+    verdict: JobVerdict | None = None  # the verdict of a simulation on a job
     outdated: bool = False
+    # Whether the operation lost its toolpath because it was switched off. The other data of the record becomes valid
+    # again when the operation has its toolpath again.
     off: bool = False
-    text: str = ""
-    label: str = ""
+    text: str = ""  # text of the mark in the description
+    label: str = ""  # current label of the operation; not stored
     advice: ClassVar[dict] = {}  # a mark in the tree stores no recommended settings of simulators
 
     @property

@@ -33,27 +33,14 @@ from vkworkbench.document.simulation.job import SimulatedJob
 
 @dataclass(frozen=True, eq=False)
 class AlongAxis:
-    """A job simulated along its tool axis, with its crashes and collisions.
-
-    Attributes
-    ----------
-    job : SimulatedJob
-    zbuffer : ZBuffer
-        The z-buffer after the last trajectory.
-    checked : CrashCheck
-    collisions : Collisions
-    measured : Volumes or None
-        The removed volumes; None if measuring them would exceed the time budget.
-    seen : SeenModel or None
-        The model, seen along the tool axis; None without a model.
-    """
+    """A job simulated along its tool axis, with its crashes and collisions."""
 
     job: SimulatedJob
-    zbuffer: ZBuffer
+    zbuffer: ZBuffer  # the z-buffer after the last trajectory
     checked: CrashCheck
     collisions: Collisions
-    measured: Volumes | None
-    seen: SeenModel | None
+    measured: Volumes | None  # the removed volumes; None if measuring them would exceed the time budget
+    seen: SeenModel | None  # the model, seen along the tool axis; None without a model
 
     def facts(self, tolerance: float, going_on: Callable[[], None] = lambda: None) -> JobFacts:
         """Return what the simulation found in the operations, and the verdict on the job; see `core.zbuffer.facts`.

@@ -67,28 +67,14 @@ class _Copied:
 
 @dataclass(frozen=True, eq=False)
 class ReadCut:
-    """An operation that was copied and linearised.
-
-    Attributes
-    ----------
-    operation : SimulatedOperation
-    cut : Cut or None
-        The toolpath and the tool; None if the operation cannot be simulated.
-    as_read : Toolpath or None
-    listing : Listing or None
-        See `SimulatedJob`.
-    remarks : tuple of Message
-        What the simulation simplifies in the operation.
-    unread : tuple of Message
-        Parts of the operation that could not be read.
-    """
+    """An operation that was copied and linearised."""
 
     operation: SimulatedOperation
-    cut: Cut | None
+    cut: Cut | None  # the toolpath and the tool; None if the operation cannot be simulated
     as_read: Toolpath | None = None
-    listing: Listing | None = None
-    remarks: tuple[Message, ...] = ()
-    unread: tuple[Message, ...] = ()
+    listing: Listing | None = None  # see `SimulatedJob`
+    remarks: tuple[Message, ...] = ()  # what the simulation simplifies in the operation
+    unread: tuple[Message, ...] = ()  # parts of the operation that could not be read
 
 
 class JobCopy:

@@ -19,72 +19,41 @@ from vkworkbench.language import Message
 
 @dataclass(frozen=True)
 class SimulatedOperation:
-    """An operation to simulate.
+    """An operation to simulate."""
 
-    Attributes
-    ----------
-    document, name, label : str
-        Internal names of the document and of the object, and the object's label.
-    rapid_feeds : tuple of float
-        Horizontal and vertical rapid speed of the operation's tool controller, mm/s; 0 if unset.
-    imported : bool
-        Whether the toolpath possibly comes from a G-code file.
-    fingerprint : str
-        Fingerprint of path, tool and stock. Until the path is read, this is the fingerprint of tool and stock only (the
-        setting).
-    """
-
+    # document, name, label: internal names of the document and of the object, and the object's label.
     document: str
     name: str
     label: str
+    # Horizontal and vertical rapid speed of the operation's tool controller, mm/s; 0 if unset.
     rapid_feeds: tuple[float, float]
-    imported: bool
+    imported: bool  # whether the toolpath possibly comes from a G-code file
+    # Fingerprint of path, tool and stock. Until the path is read, this is the fingerprint of tool and stock only (the
+    # setting).
     fingerprint: str
 
 
 @dataclass(frozen=True, eq=False)
 class SimulatedJob:
-    """A job to simulate.
+    """A job to simulate."""
 
-    Attributes
-    ----------
-    operations : tuple of SimulatedOperation
-        The operations, in the order of their job.
-    cuts : tuple of Cut
-        Toolpaths and tools of the operations.
-    as_read : tuple of Toolpath
-        The toolpaths with the feeds as FreeCAD's import leaves them. The recognition uses these toolpaths.
-    listings : tuple of Listing
-        G-code of the operations.
-    stock : Solid
-    model_shapes : tuple of Shape
-        Shapes of the job's model.
-    remarks : tuple of Message
-        What the simulation leaves out or simplifies in the job, with the reason.
-    clamps : mapping of str to Solid
-        Solids that no tool may touch, by the labels of their objects.
-    unread : tuple of Message
-        The remarks on parts of the job that could not be read, which make the verdict on the job uncertain.
-    left_out : tuple of (str, str)
-        Internal names of document and object of the operations that are not simulated.
-    name : str
-        Internal name of the job; empty without a job.
-    valid_for : str
-        Fingerprint of the job for which the verdict is valid, see `fingerprint_of_job`. The fingerprint is empty if
-        only some operations are simulated, or if the caller has given another stock or other clamps.
-    """
-
-    operations: tuple[SimulatedOperation, ...]
-    cuts: tuple[Cut, ...]
+    operations: tuple[SimulatedOperation, ...]  # the operations, in the order of their job
+    cuts: tuple[Cut, ...]  # toolpaths and tools of the operations
+    # The toolpaths with the feeds as FreeCAD's import leaves them. The recognition uses these toolpaths.
     as_read: tuple[Toolpath, ...]
-    listings: tuple[Listing, ...]
+    listings: tuple[Listing, ...]  # G-code of the operations
     stock: Solid
-    model_shapes: tuple
-    remarks: tuple[Message, ...]
+    model_shapes: tuple  # shapes of the job's model
+    remarks: tuple[Message, ...]  # what the simulation leaves out or simplifies in the job, with the reason
+    # Solids that no tool may touch, by the labels of their objects.
     clamps: Mapping[str, Solid] = field(default_factory=dict)
+    # The remarks on parts of the job that could not be read, which make the verdict on the job uncertain.
     unread: tuple[Message, ...] = ()
+    # Internal names of document and object of the operations that are not simulated.
     left_out: tuple[tuple[str, str], ...] = ()
-    name: str = ""
+    name: str = ""  # internal name of the job; empty without a job
+    # Fingerprint of the job for which the verdict is valid, see `fingerprint_of_job`. The fingerprint is empty if only
+    # some operations are simulated, or if the caller has given another stock or other clamps.
     valid_for: str = ""
 
     @cached_property

@@ -50,26 +50,16 @@ class Polyline:
 
 @dataclass(frozen=True)
 class Reading:
-    """The data of the Gauss map for one operation.
+    """The data of the Gauss map for one operation."""
 
-    Attributes
-    ----------
-    recognition : Recognition
-        The same recognition as in an analysis, so that the plots show the numbers of the mark in the tree,
-        the table and the CSV file.
-    areas : Areas
-        All monotonous areas of the toolpath.
-    outline, links : Polyline
-        The moves of all areas, and the moves between the areas.
-    proof : int
-        Index of the area that explains the strategy best.
-    """
-
+    # The same recognition as in an analysis, so that the plots show the numbers of the mark in the tree, the table and
+    # the CSV file.
     recognition: Recognition
-    areas: Areas
+    areas: Areas  # all monotonous areas of the toolpath
+    # outline, links: the moves of all areas, and the moves between the areas.
     outline: Polyline
     links: Polyline
-    proof: int
+    proof: int  # index of the area that explains the strategy best
 
 
 def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:

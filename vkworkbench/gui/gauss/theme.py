@@ -11,27 +11,15 @@ from vkworkbench.gui.qt.names import QColor
 
 @dataclass(frozen=True)
 class Theme:
-    """The colours of the Gauss map, as ``"#rrggbb"``.
+    """The colours of the Gauss map, as ``"#rrggbb"``."""
 
-    Attributes
-    ----------
-    back : str
-        Colour of the background.
-    text : str
-        Colour of texts and of the shown area.
-    faint : str
-        Colour of the curve of the level n (number of whole turns), of the limits of phi, and of the toolpath outside
-        the shown area.
-    v : str
-        Colour of V_k, the sum of the first k moves, and of its angle theta.
-    counter_clockwise, clockwise : str
-        Colours of the two senses of rotation, which colour-blind users can distinguish.
-    """
-
-    back: str
-    text: str
+    back: str  # colour of the background
+    text: str  # colour of texts and of the shown area
+    # Colour of the curve of the level n (number of whole turns), of the limits of phi, and of the toolpath outside the
+    # shown area.
     faint: str
-    v: str
+    v: str  # colour of V_k, the sum of the first k moves, and of its angle theta
+    # counter_clockwise, clockwise: colours of the two senses of rotation, which colour-blind users can distinguish.
     counter_clockwise: str
     clockwise: str
 

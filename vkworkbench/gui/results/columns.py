@@ -22,34 +22,18 @@ STATE, LENGTH, REASON = "state", "length", "reason"
 
 @dataclass(frozen=True)
 class Column:
-    """One column of the results panel.
+    """One column of the results panel."""
 
-    Attributes
-    ----------
-    key : str
-        Name of the column in the preferences.
-    title, tooltip : str
-    value : callable
-        Returns the value of a row: a number, a text, or None.
-    shown : callable
-        Returns the text that the column shows for a value.
-    factor : callable or None
-        For a column with estimated times: returns the uncertainty of a row's time as a factor. The measured time is
-        expected to be between time / factor and time * factor.
-    least : callable
-        Returns whether the value of a row is a lower bound.
-    note : callable
-        Returns a sentence that explains the value of a row, or an empty text.
-    """
-
-    key: str
+    key: str  # name of the column in the preferences
     title: str
     tooltip: str
-    value: Callable[[Row], object]
-    shown: Callable[[object], str] = str
+    value: Callable[[Row], object]  # returns the value of a row: a number, a text, or None
+    shown: Callable[[object], str] = str  # returns the text that the column shows for a value
+    # For a column with estimated times: returns the uncertainty of a row's time as a factor. The measured time is
+    # expected to be between time / factor and time * factor.
     factor: Callable[[Row], float] | None = None
-    least: Callable[[Row], bool] = lambda row: False
-    note: Callable[[Row], str] = lambda row: ""
+    least: Callable[[Row], bool] = lambda row: False  # returns whether the value of a row is a lower bound
+    note: Callable[[Row], str] = lambda row: ""  # returns a sentence that explains the value of a row, or an empty text
 
     @property
     def name(self) -> str:

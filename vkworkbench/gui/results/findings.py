@@ -15,19 +15,11 @@ from vkworkbench.report import OperationReport, Report
 
 @dataclass(frozen=True)
 class Finding:
-    """The results of one operation.
-
-    Attributes
-    ----------
-    operation : Operation
-    mark : Record
-        The results that the mark of the operation stores.
-    report : OperationReport or None
-        The same results with all numbers; None if the operation was not analysed in this session.
-    """
+    """The results of one operation."""
 
     operation: Operation
-    mark: Record
+    mark: Record  # the results that the mark of the operation stores
+    # The same results with all numbers; None if the operation was not analysed in this session.
     report: OperationReport | None
 
 

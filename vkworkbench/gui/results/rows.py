@@ -26,37 +26,19 @@ _SIMILAR = 1.5  # a note explains FreeCAD's CycleTime if it differs from the mac
 
 @dataclass(frozen=True)
 class Row:
-    """One operation, or the total of one job.
+    """One operation, or the total of one job."""
 
-    Attributes
-    ----------
-    found : OperationReport, Record or Total
-        The numbers of the row; a record from the mark if the operation was not analysed in this session.
-    name, label : str
-        Internal name of the operation or job, and its current label.
-    notices : tuple of Notice
-        Errors, warnings and notes, the most severe first.
-    outdated : bool
-        Whether toolpath, tool or stock have changed since the analysis.
-    mark : Record or None
-        The mark of an operation; None for a total.
-    posted : int
-        Number of operations that the job posts; 0 for the row of an operation.
-    rows : tuple of Row
-        The operations of a job.
-    is_counted : bool
-        Whether an operation counts in its job's total.
-    """
-
+    # The numbers of the row; a record from the mark if the operation was not analysed in this session.
     found: OperationReport | Record | Total
+    # name, label: internal name of the operation or job, and its current label.
     name: str
     label: str
-    notices: tuple[Notice, ...] = ()
-    outdated: bool = False
-    mark: Record | None = None
-    posted: int = 0
-    rows: tuple[Row, ...] = ()
-    is_counted: bool = True
+    notices: tuple[Notice, ...] = ()  # errors, warnings and notes, the most severe first
+    outdated: bool = False  # whether toolpath, tool or stock have changed since the analysis
+    mark: Record | None = None  # the mark of an operation; None for a total
+    posted: int = 0  # number of operations that the job posts; 0 for the row of an operation
+    rows: tuple[Row, ...] = ()  # the operations of a job
+    is_counted: bool = True  # whether an operation counts in its job's total
 
     @property
     def is_total(self) -> bool:

@@ -36,46 +36,23 @@ Entries = Tuple[Tuple[str, str], ...]
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """The data of a job that a colouring uses.
+    """The data of a job that a colouring uses."""
 
-    Attributes
-    ----------
-    labels : tuple of str
-        Labels of the operations.
-    strategies : tuple of Strategy
-    clock : Clock
-    volumes : (n,) float64
-        Removed volume of each trajectory, mm^3.
-    seen : SeenModel or None
-        The model, seen in the view of the coloured image.
-    awaited : bool
-        Whether the image of the model is still being computed.
-    tolerance : float
-        Allowed difference between the part and the model, mm.
-    """
-
-    labels: tuple[str, ...]
+    labels: tuple[str, ...]  # labels of the operations
     strategies: tuple[Strategy, ...]
     clock: Clock
-    volumes: np.ndarray
-    seen: SeenModel | None
-    awaited: bool
-    tolerance: float
+    volumes: np.ndarray  # (n,) float64: removed volume of each trajectory, mm^3
+    seen: SeenModel | None  # the model, seen in the view of the coloured image
+    awaited: bool  # whether the image of the model is still being computed
+    tolerance: float  # allowed difference between the part and the model, mm
 
 
 @dataclass(frozen=True, eq=False)
 class Coloring:
-    """Colours of surfaces, which any thread may compute, and a legend, which only Qt's main thread may make.
-
-    Attributes
-    ----------
-    colors : Colors
-    legend : callable
-        Returns the entries of the legend: pairs of a colour and its meaning.
-    """
+    """Colours of surfaces, which any thread may compute, and a legend, which only Qt's main thread may make."""
 
     colors: Colors
-    legend: Callable[[], Entries]
+    legend: Callable[[], Entries]  # returns the entries of the legend: pairs of a colour and its meaning
 
 
 def by_material(zbuffer: ZBuffer, job: Job) -> Coloring:

@@ -23,29 +23,14 @@ from vkworkbench.language import Message
 
 @dataclass(frozen=True)
 class Fault:
-    """A fault with its place on the part.
+    """A fault with its place on the part."""
 
-    Attributes
-    ----------
-    cut : int or None
-        Number of the operation that caused the fault; None if no operation caused it.
-    command : int or None
-        Number of the command in the operation.
-    trajectory : int or None
-        Number of the trajectory, counted over all operations.
-    place : (3,) tuple of float
-        Position of the fault, mm.
-    what : Message
-    serious : bool
-        Whether the fault damages the part, the tool or the machine.
-    """
-
-    cut: int | None
-    command: int | None
-    trajectory: int | None
-    place: tuple[float, float, float]
+    cut: int | None  # number of the operation that caused the fault; None if no operation caused it
+    command: int | None  # number of the command in the operation
+    trajectory: int | None  # number of the trajectory, counted over all operations
+    place: tuple[float, float, float]  # position of the fault, mm
     what: Message
-    serious: bool
+    serious: bool  # whether the fault damages the part, the tool or the machine
 
     @property
     def of_finished_part(self) -> bool:
@@ -60,21 +45,11 @@ class Fault:
 
 @dataclass(frozen=True, eq=False)
 class Judgement:
-    """The faults of a job.
+    """The faults of a job."""
 
-    Attributes
-    ----------
-    faults : list of Fault
-        Collisions, crashes, gouges deeper than the chosen tolerance, and fast plunges.
-    differences : list of Fault or None
-        The largest differences from the model; None if not requested.
-    proved : list of Fault
-        Collisions, crashes, and gouges deeper than the default tolerance.
-    """
-
-    faults: list[Fault]
-    differences: list[Fault] | None
-    proved: list[Fault]
+    faults: list[Fault]  # collisions, crashes, gouges deeper than the chosen tolerance, and fast plunges
+    differences: list[Fault] | None  # the largest differences from the model; None if not requested
+    proved: list[Fault]  # collisions, crashes, and gouges deeper than the default tolerance
 
 
 def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:

@@ -80,18 +80,10 @@ def round_length(most: float) -> float:
 
 
 class Surface(NamedTuple):
-    """A point on the surface of the part.
+    """A point on the surface of the part."""
 
-    Attributes
-    ----------
-    owner : int
-        Trajectory that made the surface; -1 for the raw stock, `CUT_OPEN` for the face of a section.
-    place : (3,) ndarray
-        Position of the point, mm.
-    """
-
-    owner: int
-    place: np.ndarray
+    owner: int  # trajectory that made the surface; -1 for the raw stock, `CUT_OPEN` for the face of a section
+    place: np.ndarray  # (3,): position of the point, mm
 
 
 class PartView(QWidget):

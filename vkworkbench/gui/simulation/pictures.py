@@ -156,31 +156,17 @@ def _colors_of(simulation: Simulation, step: int, coloring: Coloring) -> np.ndar
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture that is not yet drawn.
+    """A picture that is not yet drawn."""
 
-    Attributes
-    ----------
-    field, coloring : callable
-        Return the field (surfaces of the part) at the moment, and the colouring.
-    colors : callable
-        Returns the colours that a colouring gives to the surfaces at the moment.
-    scene : callable
-        Returns the coloured scene of a field in a frame.
-    paths : tuple of (n, 3) ndarray
-        Paths to draw: the finished path, and the path to come; empty if no path is to be drawn.
-    tool : tuple of Tool and (3,) ndarray
-        The tool, and the position of its tip, mm.
-    frame : Frame
-        The frame of the image.
-    """
-
+    # field, coloring: return the field (surfaces of the part) at the moment, and the colouring.
     field: Callable[[], Field]
     coloring: Callable[[], Coloring]
-    colors: Callable[[Coloring], np.ndarray]
-    scene: Callable[..., Scene]
+    colors: Callable[[Coloring], np.ndarray]  # returns the colours that a colouring gives to the surfaces at the moment
+    scene: Callable[..., Scene]  # returns the coloured scene of a field in a frame
+    # Paths to draw: the finished path, and the path to come; empty if no path is to be drawn.
     paths: tuple[np.ndarray, ...]
-    tool: tuple[Tool, np.ndarray]
-    frame: Frame
+    tool: tuple[Tool, np.ndarray]  # the tool, and the position of its tip, mm
+    frame: Frame  # the frame of the image
 
     def draw(self, smoothness: int = 1) -> Drawn:
         """Draw the picture, in any thread. Each pixel is the mean of `smoothness` x `smoothness` smaller pixels."""
@@ -197,20 +183,11 @@ class Picture:
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
-    """A drawn picture.
-
-    Attributes
-    ----------
-    scene : Scene
-    frame : Frame
-        The frame of the image.
-    legend : callable
-        Returns the legend of the colours.
-    """
+    """A drawn picture."""
 
     scene: Scene
-    frame: Frame
-    legend: Callable[[], Entries]
+    frame: Frame  # the frame of the image
+    legend: Callable[[], Entries]  # returns the legend of the colours
 
 
 def _uncolored() -> Coloring:

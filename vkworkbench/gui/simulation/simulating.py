@@ -47,29 +47,14 @@ _COARSE, _FEWEST = 1 / 25, 2000
 
 @dataclass(frozen=True, eq=False)
 class Simulated:
-    """A simulation along the tool axis, from which pictures are drawn.
-
-    Attributes
-    ----------
-    simulation : Simulation
-    volumes : (n,) float64
-        Removed volume of each trajectory, mm^3.
-    air : (n,) bool
-        Whether a trajectory is a feed move that removes nothing.
-    seen : SeenModel or None
-        The model, seen from above; None without a model, and for the coarse simulation.
-    is_finest : bool
-        Whether no finer simulation follows.
-    seconds : float
-        Time since the simulation was requested, s.
-    """
+    """A simulation along the tool axis, from which pictures are drawn."""
 
     simulation: Simulation
-    volumes: np.ndarray
-    air: np.ndarray
-    seen: SeenModel | None
-    is_finest: bool
-    seconds: float
+    volumes: np.ndarray  # (n,) float64: removed volume of each trajectory, mm^3
+    air: np.ndarray  # (n,) bool: whether a trajectory is a feed move that removes nothing
+    seen: SeenModel | None  # the model, seen from above; None without a model, and for the coarse simulation
+    is_finest: bool  # whether no finer simulation follows
+    seconds: float  # time since the simulation was requested, s
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,18 +62,11 @@ class Findings:
     """The results of the check of a job.
 
     The check has its own simulation along the tool axis, so that its results do not depend on the size of the window.
-
-    Attributes
-    ----------
-    along_axis : AlongAxis
-    facts : JobFacts
-        What the check found in the operations, and its verdict on the job, at the default tolerance.
-    volumes, air : ndarray
-        As in the class `Simulated`.
     """
 
     along_axis: AlongAxis
-    facts: JobFacts
+    facts: JobFacts  # what the check found in the operations, and its verdict on the job, at the default tolerance
+    # volumes, air: as in the class `Simulated`.
     volumes: np.ndarray
     air: np.ndarray
 

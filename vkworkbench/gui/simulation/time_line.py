@@ -48,43 +48,23 @@ _KEYS = {
 
 @dataclass(frozen=True)
 class Block:
-    """An operation on the time line.
-
-    Attributes
-    ----------
-    label : str
-    tooltip : str
-        Plain text.
-    color : str
-        ``"#rrggbb"``.
-    begin, end : float
-        Times, s.
-    """
+    """An operation on the time line."""
 
     label: str
-    tooltip: str
-    color: str
+    tooltip: str  # plain text
+    color: str  # ``"#rrggbb"``
+    # begin, end: times, s.
     begin: float
     end: float
 
 
 @dataclass(frozen=True)
 class Warned:
-    """A warning on the time line.
+    """A warning on the time line."""
 
-    Attributes
-    ----------
-    seconds : float
-        Machining time at which the fault happens.
-    text : callable
-        Returns the text of the warning, made on request because few of many warnings are read.
-    color : str
-        ``"#rrggbb"``.
-    """
-
-    seconds: float
-    text: Callable[[], str]
-    color: str
+    seconds: float  # machining time at which the fault happens
+    text: Callable[[], str]  # returns the text of the warning, made on request because few of many warnings are read
+    color: str  # ``"#rrggbb"``
 
 
 class TimeLine(KeyedWidget):

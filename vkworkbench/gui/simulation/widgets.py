@@ -34,14 +34,9 @@ class KeyedWidget(QWidget):
     """A widget with its own keyboard shortcuts.
 
     A shortcut works if the widget, or a child that ignores the key, has the keyboard focus.
-
-    Attributes
-    ----------
-    keys : dict of int to callable
-        The function that each key calls.
     """
 
-    keys: dict[int, Callable[[], object]]
+    keys: dict[int, Callable[[], object]]  # the function that each key calls
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -28,20 +28,12 @@ _STRATEGIES = tuple(Strategy)
 
 @dataclass(frozen=True)
 class Drawing:
-    """The coloured lines of a toolpath.
-
-    Attributes
-    ----------
-    points : list of (float, float, float)
-    parts : list of (str, list of int)
-        Colours, each with the indices of the points of its lines. Each line ends with the index -1.
-    strategies : frozenset of Strategy
-        The strategies in the drawing; empty for a sketch.
-    """
+    """The coloured lines of a toolpath."""
 
     points: list
+    # Colours, each with the indices of the points of its lines. Each line ends with the index -1.
     parts: list[tuple[str, list[int]]]
-    strategies: frozenset[Strategy]
+    strategies: frozenset[Strategy]  # the strategies in the drawing; empty for a sketch
 
 
 def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:

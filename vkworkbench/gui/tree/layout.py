@@ -32,23 +32,14 @@ _SPACE = "\u00a0"  # a no-break space, which Qt neither stretches nor drops
 
 @dataclass(frozen=True)
 class Piece:
-    """A pill (text on a rounded colour), an outlined pill or a sign, which is painted over a gap in the text.
+    """A pill (text on a rounded colour), an outlined pill or a sign, which is painted over a gap in the text."""
 
-    Attributes
-    ----------
-    kind : {"filled", "outlined", "warning", "error"}
-    text : str
-        The text on the pill.
-    color, ink : str
-        Colours of the pill and of the text or sign on it.
-    left, width : int
-        Position and size in px, from the beginning of the text.
-    """
-
-    kind: str
-    text: str
+    kind: str  # {"filled", "outlined", "warning", "error"}
+    text: str  # the text on the pill
+    # color, ink: colours of the pill and of the text or sign on it.
     color: str
     ink: str
+    # left, width: position and size in px, from the beginning of the text.
     left: int
     width: int
 
