@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from zbuffer_inputs import toolpath
 
-from vkworkbench.core import Cut, Cylinder, Stock, Tool, View
+from vkworkbench.core import Cut, Cylinder, Stock, Tool, View, linearize
 from vkworkbench.core.zbuffer import axis_view, check_crashes, crashes, simulate_job
 
 BLOCK, PLATE = Stock((0, 0, 0), (100, 80, 20)), Stock((0, 0, 0), (600, 400, 20))
@@ -72,6 +72,44 @@ def test_rapid_that_more_than_touches_a_slot_wall_is_a_crash(aside, crashed):
         bool(crashes(simulate_job([Cut(path(slot, [0, 3, 4]), FLAT)], stock=BLOCK, view=View(width=100, height=80))))
         <= crashed
     )
+
+
+@pytest.mark.parametrize(
+    "tool",
+    [
+        Tool("endmill", 0.1),
+        Tool("endmill", 20),
+        Tool("ballend", 0.3),
+        Tool("ballend", 20),
+        Tool("bullnose", 5, corner_radius=1),
+        Tool("vbit", 0.3),
+        Tool("vbit", 6, tip_angle=np.radians(40)),
+        Tool("drill", 1),
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("depth", [0.0, 0.01])
+def test_rapid_that_grazes_the_top_is_a_crash(tool, depth):
+    """A rapid exactly at the height of the top is not a crash. A rapid 0.01 mm lower is a crash."""
+    found = check_crashes([Cut(path([(10, 30, 25), (10, 30, 20 - depth), (60, 45, 20 - depth)], [0, 1]), tool)], BLOCK)
+    assert [crash.source.command for crash in found.crashes] == [0, 1] * (depth > 0)
+
+
+def test_vertical_arcs_hide_grazes_only_on_their_floors():
+    """A trough is cut by an arc in the plane XZ. Then rapids graze the floor of the trough, and the top of the block.
+
+    The chords of the arc leave material on the floor of the trough, but not on the top of the block.
+    """
+    trough = [
+        ("G0", {"X": 20, "Y": 20, "Z": 25}),
+        ("G1", {"Z": 20, "F": 9}),
+        ("G18", {}),
+        ("G2", {"X": 32, "I": 6, "K": 0}),
+    ]
+    down = [("G0", {"Z": 25}), ("G0", {"X": 26}), ("G0", {"Z": 14}), ("G0", {"Z": 25})]
+    graze = [("G0", {"X": 70, "Y": 60}), ("G0", {"Z": 19.99})]
+    found = check_crashes([Cut(linearize([*trough, *down, *graze]), Tool("ballend", 6))], BLOCK)
+    assert [crash.source.command for crash in found.crashes] == [len(trough) + len(down) + 1]
 
 
 def test_rapids_in_a_cleared_pocket_are_not_crashes():

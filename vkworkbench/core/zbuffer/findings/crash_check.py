@@ -11,7 +11,15 @@ import numpy as np
 
 from vkworkbench.core.solids import SMALLEST
 from vkworkbench.core.stocks import Solid
-from vkworkbench.core.zbuffer.findings.faults import Crash, Plunge, crashes_among, plunges_among, too_fast, touching
+from vkworkbench.core.zbuffer.findings.faults import (
+    ROUNDED,
+    ArcRises,
+    Crash,
+    Plunge,
+    crashes_among,
+    plunges_among,
+    too_fast,
+)
 from vkworkbench.core.zbuffer.findings.fine_rays import RAYS_ACROSS, FineRays, half_widths, parts_of
 from vkworkbench.core.zbuffer.findings.removed_segments import joined
 from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
@@ -22,7 +30,7 @@ from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 _CLOSE = 2.0**-5
 # Smallest distance between rays, mm. Only pointed tools whose tip is slightly below the stock's top need rays as close
 # as this.
-_CLOSEST = 2.0**-8
+_CLOSEST = 2.0**-10
 
 
 @dataclass(frozen=True)
@@ -80,7 +88,7 @@ class _OutOfTime(Exception):
 class _Check:
     def __init__(self, cuts: Cuts, stock: Solid, end: float, going_on: Callable[[], None]) -> None:
         self.cuts, self.stock, self._end, self._going_on = cuts, stock, end, going_on
-        self.fast = too_fast(cuts)
+        self.fast, self._rises = too_fast(cuts), ArcRises(cuts)
         self.crashes: dict[int, Crash] = {}
         self.plunges: list[Plunge] = []
 
@@ -114,7 +122,7 @@ class _Check:
         # check.
         up = (np.hypot(*(end - start)[:, :2].T) < SMALLEST) & (end[:, 2] >= start[:, 2])
         up[cuts.first[:-1][np.diff(cuts.first) > 0]] = False
-        rapid = cuts.rapid & ~up & (depth > touching(cuts)[1]) if len(cuts) else cuts.rapid
+        rapid = cuts.rapid & ~up & (depth > ROUNDED)
         self._met = met & (depth > 0)
         moves = np.flatnonzero(met & (rapid | self.fast & (depth > 0)))
         of_cut = cuts.cut[moves]
@@ -161,7 +169,7 @@ class _Check:
         segments, cuts = joined(parts), self.cuts
         fast = self.fast[segments.owner]
         rapid = segments.selected(~fast)
-        for crash in crashes_among(cuts, rapid, rapid.volumes(len(cuts))):
+        for crash in crashes_among(cuts, rapid, rapid.volumes(len(cuts)), self._rises):
             self.crashes[crash.trajectory] = crash
         plunges = moves[self.fast[moves]]
         if len(plunges):
@@ -175,7 +183,7 @@ class _Check:
         removed = np.zeros(len(self.cuts))
         for segments in rays.removed_by(moves, half_width, self._continue):
             removed += segments.volumes(len(self.cuts))
-            found = crashes_among(self.cuts, segments, removed)
+            found = crashes_among(self.cuts, segments, removed, self._rises)
             for crash in found:
                 self.crashes.setdefault(crash.trajectory, crash)
             rays.forget(np.array([crash.trajectory for crash in found], np.int64))

@@ -11,6 +11,7 @@ import numpy as np
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.core.zbuffer.findings.facts import removed_volumes
+from vkworkbench.core.zbuffer.findings.fine_rays import half_widths
 from vkworkbench.core.zbuffer.findings.removed_segments import RemovedSegments, segments_of
 from vkworkbench.core.zbuffer.simulator.moments import ZBuffer
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts, Source
@@ -24,15 +25,16 @@ _PLUNGE, _FULL = 5.0, 0.5
 # Largest allowed ratio of a plunge's feed to the vertical feed. The ratio is slightly above 1, because FreeCAD rounds
 # feeds.
 _FASTER = 1.01
-# _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash.
-# Rounded coordinates and the chords that replace arcs leave material about as thick as `_TOUCHES`. The largest distance
-# between an arc and its chord is the arc's rise; the limit for touching is the larger of `_TOUCHES` and `_OF_RISE`
-# times the rise.
-_TOUCHES, _OF_RISE = 0.02, 2.0
+# _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash. At
+# heights where a pointed tool is narrow, the limit is half of the tool's half width, but at least `_ROUNDED_ASIDE`.
+# Smaller limits report crashes because of rounded coordinates, larger limits hide scratches.
+_TOUCHES, _ROUNDED_ASIDE = 0.02, 0.002
+# Material up to this height, mm, above the tool's lower surface counts as a rounding error.
+ROUNDED = 1e-3
+# The chords that replace arcs leave material about as thick as the largest distance between an arc and its chord (the
+# arc's rise). Where arcs were cut, the limits for touching are at least `_OF_RISE` times the rise.
+_OF_RISE = 2.0
 _SIDES = np.arange(8) * pi / 4
-# Material up to this height, mm, above the tool's lower surface counts as a rounding error. If there are arcs in
-# vertical planes, the height is at least `_OF_RISE` times their vertical rise.
-_ROUNDED = 1e-3
 _PIECES_AT_ONCE = 1 << 14
 # Number of concentric rings with equal widths into which a tool is divided to compute its volume.
 _RINGS = 64
@@ -81,10 +83,11 @@ def crashes(zbuffer: ZBuffer) -> list[Crash]:
     list of Crash
         The crashes, sorted by trajectory.
     """
-    return crashes_among(zbuffer.cuts, segments_of(zbuffer, zbuffer.cuts.rapid), removed_volumes(zbuffer))
+    segments = segments_of(zbuffer, zbuffer.cuts.rapid)
+    return crashes_among(zbuffer.cuts, segments, removed_volumes(zbuffer), ArcRises(zbuffer.cuts))
 
 
-def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray) -> list[Crash]:
+def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray, rises: ArcRises) -> list[Crash]:
     """Return the rapids that remove material and do not only touch it.
 
     Parameters
@@ -93,11 +96,13 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray) ->
         Segments of rays that rapids remove, without segments that other moves remove.
     volumes : (n,) ndarray
         Volume that each trajectory removes, mm^3.
+    rises : ArcRises
+        Distances between the arcs of the job and their chords.
     """
     if len(segments.owner) == 0:
         return []
     owner, middle, length = segments.owner, (segments.near + segments.far) / 2, segments.far - segments.near
-    touches = touching(cuts)
+    around = rises.near(owner)
     # The longest segments that each rapid removes are examined first. A rapid that only touches a wall can also remove
     # long segments, as high as the wall. Therefore the segments of each rapid are examined until one segment is inside
     # the rapid's swept volume by more than the depth that counts as touching.
@@ -108,7 +113,8 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray) ->
         some = some[longest[owner[some]] < 0]
         if len(some):
             ends = segments.upper[some], middle[some]
-            upper_in, middle_in = (_inside(cuts, owner[some], segments.points(some, depth), touches) for depth in ends)
+            points = (segments.points(some, depth) for depth in ends)
+            upper_in, middle_in = (_inside(cuts, owner[some], at, around[:, some]) for at in points)
             some = some[upper_in | middle_in]
             crashed, position = np.unique(owner[some], return_index=True)
             longest[crashed] = some[position]
@@ -121,45 +127,77 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray) ->
     ]
 
 
-def touching(cuts: Cuts) -> np.ndarray:
-    """Return the largest horizontal and the largest vertical depth at which a rapid only touches material, (2,) mm."""
-    rises = np.max([_rises(cut.toolpath) for cut in cuts.cuts], axis=0, initial=0.0)
-    return np.maximum((_TOUCHES, _ROUNDED), _OF_RISE * rises)
+class ArcRises:
+    """The largest distances between arcs and their chords in a job, near given trajectories."""
+
+    def __init__(self, cuts: Cuts) -> None:
+        self._cuts = cuts
+        rises = np.concatenate([np.empty((2, 0)), *(_rises(cut.toolpath) for cut in cuts.cuts)], axis=1)
+        chord = np.flatnonzero((_OF_RISE * rises > [[_ROUNDED_ASIDE], [ROUNDED]]).any(axis=0))
+        # All chords of one arc are joined, because they have the same command.
+        command = cuts.command[chord] if len(chord) else chord
+        begins = np.ones(len(chord), bool)
+        begins[1:] = (np.diff(chord) > 1) | (np.diff(command) != 0)
+        first = np.flatnonzero(begins)
+        self._trajectory = chord[first]
+        self._rise = np.maximum.reduceat(rises[:, chord], first, axis=1) if len(first) else rises[:, :0]
+        if len(first):
+            self._lower, self._upper = _boxes(cuts, chord)
+            self._lower, self._upper = np.minimum.reduceat(self._lower, first), np.maximum.reduceat(self._upper, first)
+
+    def near(self, trajectories: np.ndarray) -> np.ndarray:
+        """Return the largest horizontal and vertical rise, mm, of the earlier arcs near each trajectory (k,), (2, k)."""
+        own, number = np.unique(trajectories, return_inverse=True)
+        found = np.zeros((2, len(own)))
+        if len(self._trajectory):
+            for item, (lower, upper) in enumerate(zip(*_boxes(self._cuts, own))):
+                earlier = int(np.searchsorted(self._trajectory, own[item]))
+                met = (self._lower[:earlier] < upper).all(axis=1) & (self._upper[:earlier] > lower).all(axis=1)
+                found[:, item] = self._rise[:, :earlier][:, met].max(axis=1, initial=0.0)
+        return found[:, number]
 
 
-def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, touches: np.ndarray) -> np.ndarray:
-    """Return whether each point (k, 3) is inside the swept volume of its trajectory (k,) by more than a margin.
+def _boxes(cuts: Cuts, trajectories: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the corners, (k, 2) mm, of the rectangles that the tools pass over in the given trajectories (k,)."""
+    start, end = (ends[trajectories, :2] for ends in cuts.ends)
+    radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut[trajectories]][:, None]
+    return np.minimum(start, end) - radius, np.maximum(start, end) + radius
 
-    `touches` contains the horizontal and the vertical margin, mm.
+
+def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, rises: np.ndarray) -> np.ndarray:
+    """Return whether each point (k, 3) is inside the swept volume of its trajectory (k,) by more than touching it.
+
+    `rises` (2, k) contains the horizontal and the vertical rise of the arcs near each trajectory, mm.
     """
     start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
     heading = headings(end - start)
     inside = np.ones(len(trajectory), bool)
+    up = np.maximum(ROUNDED, _OF_RISE * rises[1])
     for number in np.unique(cuts.cut[trajectory]):
-        tool = cuts.cuts[number].tool
-        aside = min(touches[0], tool.radius / 2)
+        tool, of_cut = cuts.cuts[number].tool, cuts.cut[trajectory] == number
+        width = half_widths(tool, points[:, 2] - np.minimum(start[2], end[2]))
+        aside = np.maximum(np.clip(width / 2, _ROUNDED_ASIDE, _TOUCHES), _OF_RISE * rises[0])
+        aside = np.minimum(aside, tool.radius / 2)
         for angle in _SIDES:  # angle between the move and the direction in which the points are shifted
-            own = np.flatnonzero(inside & (cuts.cut[trajectory] == number))
+            own = np.flatnonzero(inside & of_cut)
             (ux, uy), (x, y, z) = heading[:2, own], points[own].T
-            x = x + aside * (cos(angle) * ux - sin(angle) * uy)
-            y = y + aside * (cos(angle) * uy + sin(angle) * ux)
+            x = x + aside[own] * (cos(angle) * ux - sin(angle) * uy)
+            y = y + aside[own] * (cos(angle) * uy + sin(angle) * ux)
             floor, _ = lowest(tool, start[:, own], heading[:, own], x, y)
-            inside[own] = z > floor + touches[1]
+            inside[own] = z > floor + up[own]
     return inside
 
 
-def _rises(toolpath: Toolpath) -> tuple[float, float]:
-    """Return the largest horizontal and the largest vertical distance between an arc and its chord, mm."""
+def _rises(toolpath: Toolpath) -> np.ndarray:
+    """Return the horizontal and the vertical distance between each chord and its arc, (2, n) mm."""
     chords = np.abs(np.diff(toolpath.points, axis=0))
     upright = toolpath.plane != 17
     run = np.hypot(*chords[:, :2].T)
     # The largest distance between an arc and its chord (the rise) is perpendicular to the chord. For an arc in a
     # vertical plane, the horizontal rise grows with the chord's height, and the vertical rise grows with the chord's
     # horizontal length.
-    aside, up = (
-        np.where(upright, (chords[:, 2], run), (run, np.zeros_like(run))) / 2 * np.tan(np.abs(toolpath.sweep) / 4)
-    )
-    return float(aside.max(initial=0.0)), float(up.max(initial=0.0))
+    lengths = np.where(upright, (chords[:, 2], run), (run, np.zeros_like(run)))
+    return lengths / 2 * np.tan(np.abs(toolpath.sweep) / 4)
 
 
 @dataclass(frozen=True)
