@@ -23,7 +23,7 @@ from vkworkbench.core.zbuffer.memory.silhouette import clip, polygon_area
 # Horizontal moves whose heights differ by less than this, mm, count as moves at one height.
 _LEVEL = 1e-3
 # The moves in one direction at one height are rows if they have more than this share of the length at that height.
-# Otherwise the moves are links.
+# Moves with a smaller share are links.
 _FAMILY = 0.15
 # Minimum distance between two rows, mm. Moves at a smaller distance belong to the same row.
 _APART = 0.05

@@ -94,7 +94,7 @@ def made(folder: Path, across: int = 5, along: int = 4, layer: float = 0.1):
     job = next(obj for obj in document.Objects if freecad.OPERATIONS.is_in(obj) and freecad.TOOLS.is_in(obj))
     controller = job.Tools.Group[1]
     for name in [obj.Name for obj in document.Objects if operates(obj)]:
-        document.removeObject(name)  # also removes the base operations of dress-ups
+        document.removeObject(name)  # FreeCAD also removes the base operations of dress-ups
     low, high = job.Stock.Shape.BoundBox, job.Stock.Shape.BoundBox.ZMax
     width, depth, moves = low.XLength / across, low.YLength / along, 100_000 // (across * along)
     operations = []

@@ -13,7 +13,8 @@ For each new value, the script prints the number of verdicts that change, the nu
 (-), and the number of wrong verdicts that become right (+). The number after ~ counts verdicts with the same strategy,
 but with another measured number or confidence. If thresholds were selected by name, the script also prints the kinds of
 toolpaths with another verdict. With --rules, only the rules decide, as described in the comments at the thresholds.
-Without --rules, the learned trees outvote many of the errors that these comments describe.
+Without --rules, the comments do not apply, because the learned trees outvote many of the errors that the comments
+describe.
 """
 
 from __future__ import annotations

@@ -65,7 +65,7 @@ class Moves:
 
     @property
     def commands(self) -> int:
-        """Number of G-code commands so far. The first point is a position, not a command."""
+        """Number of G-code commands so far. The first point of the toolpath is a position, not a command."""
         return max(0, len(self.points) - 1)
 
     def _add(self, point, feed) -> None:

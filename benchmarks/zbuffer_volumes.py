@@ -178,8 +178,8 @@ def figures(segments, z) -> np.ndarray:
         low, high = (start, end) if start[2] <= end[2] else (end, start)
         if low[2] >= z:
             continue
-        # The tool is treated as infinitely long, so only the part of a move below the height z cuts here. Only tools
-        # with flat ends have sloping moves.
+        # The tool is treated as infinitely long, so only the part of a move below the height z cuts here. In this
+        # benchmark, only tools with flat ends have sloping moves.
         share = min(1.0, (z - low[2]) / (high[2] - low[2])) if high[2] > low[2] else 1.0
         if tool.shape != "endmill" and high[2] > low[2]:
             share = 0.0  # a vertical move cuts the same area as its lower end

@@ -146,7 +146,7 @@ class Desk:
         return self._tab
 
     def shared(self, path, direction="Isometric", *, at_its_finest=True):
-        """Return the tab in its initial state. Other tests may have used the tab."""
+        """Return the tab in its initial state. The tab is reset, because other tests may have used it."""
         if not (self._is_open(path) and tabs(self.window) == [self._tab] and not self._tab.again.isVisible()):
             self.kept(path)
             tab = self.simulate()

@@ -96,7 +96,7 @@ class Property:
     since: tuple[int, ...] = (0,)  # first version with this name
     before: tuple[str, ...] = ()  # names in earlier versions, the newest first
     # {"path", "setting"} or None: part of the fingerprint of a mark in the tree; this part contains the property. If
-    # the property changes, the mark is possibly outdated. None if no fingerprint contains the property.
+    # the property changes, the mark is possibly outdated. The value is None if no fingerprint contains the property.
     fingerprint: str | None = None
 
     @property

@@ -34,7 +34,7 @@ def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = la
     takes : str
         Description of the accepted values, such as ``"a positive number of mm"``.
     fits : callable
-        Function that returns whether a number is accepted. The default accepts all numbers.
+        Function that returns whether a number is accepted. By default, every number is accepted.
 
     Raises
     ------

@@ -174,7 +174,7 @@ def _limit_memory(most: float | None) -> None:
         # Memory pages of data and stack, without addresses that are only reserved.
         pages = int(Path("/proc/self/statm").read_text().split()[5])
         limit = pages * resource.getpagesize() + int(most)
-        with suppress(ValueError, OSError):  # the user has set a lower limit
+        with suppress(ValueError, OSError):  # a lower limit that the user has set stays
             resource.setrlimit(resource.RLIMIT_DATA, (limit, limit))
 
 

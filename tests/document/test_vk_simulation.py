@@ -45,8 +45,8 @@ def test_job_is_simulated_in_the_order_of_its_operations(small):
         done = vkworkbench.simulate(what, view=VIEW)
         assert [o.label for o in done.job.operations] == ["First", "Second"]
         assert done.trajectories == 6 and done.step == 6 and done.job.remarks == ()
-    # The second slot overlaps the first slot by 3 of 5 mm. Therefore the second slot adds an area of 100 mm² and, at
-    # its ends, the part of a disc outside another disc at a distance of 2 mm.
+    # The second slot overlaps the first slot by 3 of 5 mm. The second slot adds an area of 100 mm² and, at its ends,
+    # the part of a disc outside another disc at a distance of 2 mm.
     fine = vkworkbench.simulate(small.job, view=View((0, 0, -1), 500, 340))
     volumes = [fine.at(3).zbuffer.chip_volume, fine.zbuffer.chip_volume]
     assert volumes == pytest.approx([6 * (250 + 19.6), 6 * (250 + 19.6 + 100 + 9.7)], rel=0.02)

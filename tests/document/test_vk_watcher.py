@@ -64,7 +64,7 @@ def test_mark_of_inactive_operation_shows_switched_off(watched, tmp_path):
     commands, before, total = first.Path.Commands, descriptions(document), marks.read(first)
     first.Active = False
     document.recompute()
-    # FreeCAD removes the toolpath of a switched-off operation only later.
+    # FreeCAD removes the toolpath of a switched-off operation only at the next recompute.
     assert descriptions(document)[first.Name] == before[first.Name]
     switch(first, False, commands)
     assert first.Label2 == "⟦switched off⟧" and first.Strategy == "empty" and outdated(document) == []

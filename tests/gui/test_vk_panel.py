@@ -369,7 +369,7 @@ def test_details_show_phi_only_after_a_click_on_why(panel, opened, window):
     assert found.reason.replace("Phi", "φ") in text_of(panel)
     assert "Recommended" not in text_of(panel)
     panel.details.anchorClicked.emit(QtCore.QUrl("numbers"))
-    # The details show the text of the column.
+    # The details show the text of the clicked column.
     assert re.search(r"Recommended image: [\d,]+ × [\d,]+ pixels", text_of(panel))
     length = user().length(found.length)
     assert f"Cutting Length {length}" in text_of(panel).replace("\n", " ") and text_of(panel).count(length) == 1
@@ -626,7 +626,7 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     assert cautions == "" or " takes about " in cautions or " slows to about " in cautions
     assert column(panel, "Warnings")["Job"].startswith(
         "The simulation cost of Bore is unknown."
-    )  # only the beginning, because the remarks that follow depend on the computer's speed
+    )  # only the beginning of the tooltip, because the remarks that follow depend on the computer's speed
 
 
 @pytest.mark.long

@@ -227,7 +227,7 @@ def test_numbers_have_the_format_of_the_users_locale(german):
     assert FreeCAD.Units.Quantity(1234.5, FreeCAD.Units.Length).UserString == reader.length(1234.5).replace(".", "")
     apart, rows = Message("passes-need", step=2.54, cell=0.635), Message("apart-at-depths", step=2.4, depths=3)
     try:
-        FreeCAD.Units.setSchema(3)  # the schema with inches
+        FreeCAD.Units.setSchema(3)  # FreeCAD's unit schema with inches
         assert sentence(apart) == " Bahnen im Abstand von 0,1 in brauchen 0,025 in."
         # German: the unit "in" (inch), then the preposition "in" of "in 3 depths".
         assert sentence(rows) == " im Abstand von 0,0945 in in 3 Tiefen"

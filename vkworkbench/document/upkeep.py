@@ -34,7 +34,7 @@ IN_MARKS = frozenset({"mark_simulator", "time_budget"})
 
 
 def watch() -> None:
-    """Start to keep the marks of all documents up to date. Further calls do nothing."""
+    """Start to keep the marks of all documents up to date. If the function is called again, it does nothing."""
     global _upkeep
     if _upkeep is None:
         _upkeep = Upkeep()

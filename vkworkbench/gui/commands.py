@@ -134,7 +134,7 @@ def _warned(report) -> tuple[int, int]:
 
 
 def _show_marks() -> None:
-    """Show the Description column of the tree at the first analysis. Afterwards the user can hide the column."""
+    """Show the Description column of the tree at the first analysis. The user can hide the column again."""
     column.bring_to_view()
     if not FreeCAD.ParamGet(GROUP).GetBool("DescriptionShown", False):
         column.when_seen(_show_description)

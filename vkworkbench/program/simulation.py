@@ -60,7 +60,7 @@ def simulate(
     memory_budget : float, optional
         Memory limit, bytes. None stands for the limit in the preferences.
     going_on : callable, optional
-        Called many times a second with the completed share, 0 to 1. If the function raises an exception, the simulation
+        Called many times a second with the completed share, 0 to 1. If `going_on` raises an exception, the simulation
         ends.
 
     Returns

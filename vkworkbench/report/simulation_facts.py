@@ -48,8 +48,8 @@ class SimulationFacts:
     left_out : tuple of (str, str)
         Internal names of document and object of each operation that was not simulated.
     valid_for : str
-        Fingerprint of the job for which the verdict is valid. Empty if an NC program or only a part of the job was
-        simulated, or if the simulation used another stock or other clamps than the job has.
+        Fingerprint of the job for which the verdict is valid. The fingerprint is empty if an NC program or only a part
+        of the job was simulated, or if the simulation used another stock or other clamps than the job has.
     """
 
     operations: tuple[tuple[str, CutFacts], ...]

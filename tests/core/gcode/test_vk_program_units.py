@@ -102,7 +102,7 @@ def test_thousandths_are_whole_numbers_in_the_programs_unit():
     assert looks_like_increments(path, inches=True) and not looks_like_increments(path, inches=False)
 
 
-def test_thousandths_are_assumed_for_lengths_of_at_least_5000():
+def test_numbers_above_5000_are_read_as_thousandths_of_a_mm():
     for length, said in ((5000, True), (4999, False)):
         path = read_program(f"G21\nG0 X0 Y0 Z5\nG1 Z-1 F9\nX{length}").toolpath()
         assert looks_like_increments(path, inches=False) == said

@@ -38,7 +38,7 @@ def test_signature_of_an_area_does_not_depend_on_earlier_areas(strokes):
 def test_sense_of_a_reversal_does_not_depend_on_earlier_areas(sense):
     """The area turns by a quarter, continues straight, and reverses.
 
-    The contour before the area makes more turns, in either sense.
+    The contour that is cut before this area makes more turns, in either sense.
     """
     late = [(0, 0), (30, 0), (30, 30 * sense), (30, 60 * sense), (30, 30 * sense), (30, 0)]
     for before in (SQUARE, SQUARE[::-1]):

@@ -493,7 +493,7 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
     whole, out = tmp_path / "whole", tmp_path / "out"
     inside(folder, kind, whole)
     size = len(whole.read_bytes())
-    for most in (size - 20, 10):  # The file is full in its last line or in its first line.
+    for most in (size - 20, 10):  # The disk is full in the last line or in the first line of the file.
         with room_for(most):
             done = inside(folder, kind, out)
         then = "" if kind == "--csv" and most == 10 else "; continue with --resume"
@@ -533,7 +533,7 @@ def scheduler(tmp_path):
     with socket.create_server(("127.0.0.1", 0)) as server:
         try:
             socket.create_connection(server.getsockname(), timeout=10).close()
-        except OSError as error:  # A changed root folder (chroot) without a network fails here.
+        except OSError as error:  # With a changed root folder (chroot) and no network, the run fails here.
             pytest.skip(f"no connection to 127.0.0.1 ({error}): --scheduler is not tested")
     file = tmp_path / "scheduler.json"
     # As on a cluster, the workers import the installed add-on and do not find it by their working folder.

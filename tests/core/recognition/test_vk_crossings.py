@@ -70,7 +70,7 @@ def test_rows_cut_in_turn_from_both_sides_are_not_consecutive():
     order = np.ravel(np.column_stack((np.arange(5), np.arange(9, 4, -1))))
     _, level, _ = told(rows(np.zeros(ROWS), STEP * order))
     assert level["next"] == pytest.approx(1 / 9)
-    # The order is not monotonous only in the middle, where the rows of both sides meet.
+    # Only in the middle, where the rows of both sides meet, is the order of the rows not monotonous.
     assert level["monotonous"] == pytest.approx(7 / 8)
     backwards = told(rows(np.zeros(ROWS), STEP * np.arange(ROWS)[::-1]))[1]
     assert backwards == pytest.approx({**SIDE_BY_SIDE, **ONE_WAY}, abs=1e-6)

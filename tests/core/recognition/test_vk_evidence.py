@@ -242,7 +242,7 @@ def loops(*boxes):
 
 
 def test_reason_contains_the_share_of_nested_loops():
-    """Two loops are nested. Three other loops are longer and far apart."""
+    """Two loops are nested. The three loops beside the nested loops are longer and far apart."""
     found = recognize(
         linearize(loops((0, 0, 40, 40), (3, 3, 34, 34), *((100 * k, 0, 60, 50) for k in (1, 2, 3)))), tool_diameter=6.0
     )

@@ -228,7 +228,7 @@ def test_span_of_an_operation_is_first_to_last_cut():
 @pytest.mark.parametrize(
     "tool, known", [(0.5, True), (0, False), (-0.5, False), (None, False), (math.nan, False), (math.inf, False)]
 )
-def test_tiny_tool_diameter_is_used_and_zero_is_not(tool, known):
+def test_tiny_tool_diameter_is_used_and_a_diameter_of_0_is_not(tool, known):
     """Two contours are 0.7 mm apart.
 
     A tool of 0.5 mm leaves material between the contours. Without a tool, the contours are a pocket.

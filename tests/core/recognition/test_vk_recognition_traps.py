@@ -239,7 +239,7 @@ def test_two_contours_at_every_depth_are_not_a_pocket(ccw, tool):
     # A washer that is cut at three depths has as many equal steps between rings as a pocket.
     washer = squares([30, 12], ccw=ccw, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=tool) is Strategy.PROFILE
-    # If the tool is as wide as the washer, the strategy is not a zigzag either.
+    # If the tool is as wide as the washer, the strategy is not a zigzag.
     washer = squares([30, 12], ccw=False, depths=(-1, -2, -3))
     assert strategy(washer, tool_diameter=25.0) is not Strategy.ZIGZAG
     # A cut from one contour to the other without a lift clears the area between them.

@@ -354,7 +354,7 @@ def test_alternating_strategies_are_one_operation(count):
     assert dividing_retracts(Sections(path, TOOL), [], dict.fromkeys(begins, 0.2)) == (begins if count < 4 else [])
 
 
-def test_doubtful_retract_divides_by_strategies_or_probability():
+def test_doubtful_retract_divides_if_likely_or_strategies_differ():
     path, (at,) = in_turns(2, ROWS, SPIRAL)
     one, two = Sections(path, TOOL).between([at])
     for odds, parts in ((0.58, []), (0.62, [at])):

@@ -298,7 +298,10 @@ def test_turns_of_a_spiral_are_nested_windings():
         ([2.0, 2.0], True),
         ([1.92, 2.0], True),
         ([1.88, 2.0], False),
-        ([1.6, 2.0, 2.0, 2.0], False),  # With a constant engagement, the first step is shorter.
+        (
+            [1.6, 2.0, 2.0, 2.0],
+            False,
+        ),  # With constant engagement, the first step is shorter.
         ([2.0, 2.0, 2.0, 0.4], True),  # The last step may end at the wall.
         ([2.0, 2.0, 1.6, 2.4], False),  # Only half of the steps are equal.
         ([2.2, 2.0, 2.0], False),

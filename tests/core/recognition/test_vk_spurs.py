@@ -95,14 +95,17 @@ def test_detour_that_misses_its_start_is_not_a_corner_relief(off, there):
 
 @pytest.mark.parametrize("deep, there", [(0.005, False), (0.015, True)])
 def test_detour_that_goes_down_is_not_a_corner_relief(deep, there):
-    """A detour down and up again moves by twice its depth in Z. Up to 0.02 mm count as one depth."""
+    """A detour down and up again moves by twice its depth in Z.
+
+    Heights that differ by up to 0.02 mm count as one depth.
+    """
     moves = areas(square(2.0, turned=-deep))
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)
 
 
 @pytest.mark.parametrize("out, there", [(13.9, False), (14.5, True)])
 def test_corner_reliefs_have_less_than_a_fifth_of_a_contour(out, there):
-    """The detour has 39.3 of 199.3 mm, or 41 of 201 mm. Each side is longer than the way out of the detour."""
+    """The detour has 39.3 of 199.3 mm, or 41 of 201 mm. Each side of the path is longer than the detour's way out."""
     corners = [(20, 0), (20 + out, -out), (20, 0), (20, 40), (-20, 40), (-20, 0)]
     moves = areas([(-20, 0, 0), *((x, y, 0) for x, y in corners)])
     assert len(without_spurs(moves)) == len(moves) - (0 if there else 2)

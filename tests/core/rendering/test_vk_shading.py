@@ -58,7 +58,7 @@ def test_step_in_depth_has_a_dark_line_and_no_other_effect():
     assert (np.delete(image, (29, 30), axis=1) == image[20, 10]).all()
 
 
-def test_finished_surface_has_no_lines():
+def test_picture_of_a_finished_surface_has_no_dark_lines():
     x = np.arange(60) * 0.5
     depth = np.tile(100 + 0.05 * np.cos(2 * np.pi * x / 3), (40, 1)).astype(np.float32)
     image = shade(depth, 0.5, GREY)

@@ -254,7 +254,7 @@ class Milled(Convex):
 
     def spans(self, frame, x, y):
         near, far, gaps = self.block.spans(frame, x, y)
-        for _ in self.removed:  # Rays meet the solids in different orders, so repeat the subtraction.
+        for _ in self.removed:  # subtract all solids repeatedly, because rays meet them in different orders
             for solid in self.removed:
                 begin, end, _ = solid.spans(frame, x, y)
                 near = np.where((begin <= near + 1e-9) & (end > near), end, near)

@@ -245,7 +245,7 @@ def test_one_measured_time_scales_all_constants_of_the_speed():
 
 
 def test_contradictory_times_are_fitted_by_ridge_regression():
-    """Two kinds of work with default times of 1 s took 1 s and 4 s. The median is 2.5 s.
+    """Two kinds of work with default times of 1 s took 1 s and 4 s. The median of 1 s and 4 s is 2.5 s.
 
     The fitted shares s of 2.5 times the default minimise (2.5 s - 1)^2 + (s - 1)^2 / 4, and (2.5 s / 4 - 1)^2 + (s -
     1)^2 / 4.

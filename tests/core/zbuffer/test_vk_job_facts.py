@@ -125,7 +125,7 @@ def rows(heights, z):
     return path(points, [10] * (len(points) - 1))
 
 
-def test_worst_place_is_reported_per_cut_and_stock_per_job():
+def test_worst_place_is_found_per_cut_and_lack_of_stock_per_job():
     """Rows reach the model except in a strip 9 mm wide.
 
     A row in the strip is 0.5 mm too high. Two holes are 1 and 3 mm too deep.

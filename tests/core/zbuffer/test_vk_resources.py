@@ -428,7 +428,7 @@ def test_simulation_and_pictures_stay_within_memory_budget(name, direction):
     for budget in (60e6, 1e9):
         chosen = best_resolution([found], memory_bytes=budget)
         needed = memory_needed([Cut(toolpath, tool)], stock=STOCK, view=chosen.view)
-        assert 0.96 * budget < needed <= budget  # The memory budget does not refuse the simulation.
+        assert 0.96 * budget < needed <= budget  # The memory budget of the test is large enough for the simulation.
         assert 0.97 * budget < chosen.memory_bytes <= 0.98 * budget
         assert "limited by the memory" in chosen.explanation
 

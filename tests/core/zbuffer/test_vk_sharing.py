@@ -104,7 +104,7 @@ def test_shared_dexels_and_traces_equal_those_of_one_process(view, stock, worker
     assert any(each.regions for each in workers)
 
 
-def test_short_simulation_is_not_shared(monkeypatch):
+def test_short_simulation_stays_in_one_process(monkeypatch):
     path, solids = case(View((0, 0, -1), 60, 130), moves=5)
     monkeypatch.setattr(sharing, "Worker", None)
     monkeypatch.setattr(sharing, "_ALONE", 60.0)

@@ -119,11 +119,11 @@ def test_move_nearly_along_a_ray_is_cut_like_a_parallel_move(slot, fall, tilt):
 def test_slot_is_continuous_where_ray_touches_the_rim(radius, aside):
     """At one position of the tool, the ray only touches the tool. Rounding may move the ray past the tool."""
     there, back = np.array([1.0, 0.0, 2.0])[:, None], np.array([-1.0, 0.0, -2.0])[:, None]
-    # At this share of the move, the ray touches the edge of the end face.
+    # At this share of the move, the ray touches the edge of the tool's end face.
     share = (aside - radius) + np.array([0.0, 1e-6, -1e-6])
     x, y = np.full(3, aside), np.zeros(3)
     for sine, cosine in ((0.6, 0.8), (0.6, -0.8)):
-        # At this share, the ray touches the side of the tool at the height of its end face.
+        # At this share of the move, the ray touches the side of the tool at the height of its end face.
         z = 2 * share - 1e-9
         one = sloped_slot(radius, (x, y, z), np.repeat(there, 3, axis=1), sine, cosine)
         other = sloped_slot(radius, (x - 1, y, z - 2), np.repeat(back, 3, axis=1), sine, cosine)

@@ -90,7 +90,7 @@ def test_next_job_begins_with_the_remaining_part():
     )
 
 
-def test_equal_heights_make_no_slivers():
+def test_solid_of_equal_heights_has_no_sliver_triangles():
     """Rounding to single precision does not make steps.
 
     A bore in the part that is turned over has the same floor as the stock.

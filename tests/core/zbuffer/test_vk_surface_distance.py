@@ -96,7 +96,7 @@ def test_missing_front_surface_counts_as_space_before_it():
     front, behind = np.zeros((30, 40), np.float32), np.full((30, 40), 20, np.float32)
     front[:, 25:] = np.inf
     pixel = 12 * 40 + 22
-    # No part of the lower surface is nearer.
+    # No part of the rear surface is nearer to the pixel.
     assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 20)
     behind[:, 26:] = 0
     assert farthest(front, behind, np.array([pixel]), 0.5, 0.1) == (pixel, 2)

@@ -148,7 +148,7 @@ def test_trajectory_that_cuts_remaining_depths_of_a_tile_is_kept(pairs, stay):
         return _not_yet_open(tile, *columns, *ends).tolist()
 
     assert told(pairs) == stay
-    # Depths that are removed in one tile still have material in the next tile.
+    # Material that is removed in one tile is still there in the next tile.
     assert told([(WHOLE, WHOLE)], [(NEAR, NOWHERE), (FAR, NOWHERE), (NEAR, NOWHERE)]) == [0, 1, 2, 3]
     again = [len(pairs) + k for k in stay]
     assert told(pairs, pairs) == stay + again

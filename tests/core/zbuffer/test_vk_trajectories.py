@@ -81,7 +81,7 @@ LEVEL = 4
 
 
 def swept(move, frame):
-    """Return image coordinates of points on the edge of a moving flat end, and of points above at the block's top."""
+    """Return points in image coordinates: on the edge of a moving flat end, and above them at the block's top."""
     angle = np.linspace(0, 2 * pi, 361)
     rim = 3 * np.column_stack((np.cos(angle), np.sin(angle), 0 * angle))
     start, end = np.array(move, float)
@@ -112,7 +112,7 @@ def test_boxes_and_strips_in_the_image_contain_swept_volumes(number, direction):
         assert told == pytest.approx(there, abs=1e-3)
     else:
         assert told[[0, 3]] == pytest.approx(there[[0, 3]], abs=1e-3)
-        assert (told > there - 8).all()  # The error is less than the height of the move.
+        assert (told > there - 8).all()  # The error of the compared height is less than the height of the move.
 
 
 def test_box_of_a_part_of_a_move_contains_only_this_part():

@@ -63,7 +63,8 @@ def test_depth_bounds_of_a_square_hold_for_all_its_points(tool, slope):
     assert inside > 3
 
 
-# On slopes, the bounds are exact only for these tools. Other tools have several parts, or a tip blunter than the slope.
+# On slopes, the bounds are exact only for these tools. The shapes of other tools have several parts, or a tip blunter
+# than the slope.
 SIMPLE = [
     (tool, slope)
     for tool in FORMS

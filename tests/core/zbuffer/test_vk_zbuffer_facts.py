@@ -351,7 +351,7 @@ def test_displaced_volume_of_each_tool_is_exact(tool, volumes):
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (0, 1, -1), (0, 1, 0)])
 @pytest.mark.parametrize("depth", [1, 2, 5])
 def test_fast_plunges_are_found_for_all_tools_and_depths(tool, direction, depth):
-    """The tool plunges into full material, into its own hole, and with just more or less than half of its area."""
+    """The tool plunges into full material, into its own hole, and where about half of its area is uncut."""
     block = {"stock": Stock((0, 0, 0), (10, 8, 10)), "view": View(direction, 100, 140, pixel=0.1)}
     bottom = 10 - depth
     assert plunges([(5, 4, 12), (5, 4, bottom)] * 2, tool=tool, **block) == [0]

@@ -53,7 +53,7 @@ def test_cavities_of_a_mesh_are_empty_before_any_cut(direction):
 
 @pytest.mark.long
 @pytest.mark.parametrize("seed", range(18))
-def test_mesh_is_cut_like_every_pair_of_ray_and_trajectory(seed):
+def test_rays_through_a_mesh_are_cut_as_if_each_were_alone(seed):
     """The reference intersects each ray with each triangle separately (Moeller and Trumbore 1997)."""
     rng = np.random.default_rng(seed)
     stock = Mesh(HOLLOW if seed % 2 else np.concatenate((ball((20, 15, 5), 14), ball((20, 15, 5), 9))))

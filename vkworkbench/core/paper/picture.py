@@ -133,8 +133,8 @@ def distinct(points: np.ndarray, segments: np.ndarray, *, cells: int, most: int)
     segments : (s,) int64
         Segments to choose from; segment i joins points i and i + 1, which are not NaN.
     cells : int
-        Width of the picture in cells, at most 1000 in the plane and 200 in space. The width is halved while more than
-        `most` segments remain.
+        Width of the picture in cells, at most 1000 in the plane and 200 in space. This width is halved as long as more
+        than `most` segments remain.
     most : int
         Largest number of segments to return. If `segments` contains no more than `most` segments, all segments are
         returned.

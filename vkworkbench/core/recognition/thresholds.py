@@ -153,9 +153,9 @@ class WINDINGS:
     #: the value 1, no turns of windings count as trochoids.
     LAST_TURN = 0.75
     #: share of the usual step. The turns of a winding are evenly spaced, as in a spiral, if their steps differ from the
-    #: usual step by less than this share. In adaptive clearing with constant engagement, the steps between the turns
-    #: grow instead. With the value 0, spirals with a helical entry are recognised as adaptive clearing. With a higher
-    #: value, adaptive clearing of round pockets is recognised as a spiral.
+    #: usual step by less than this share. In adaptive clearing with constant engagement, the steps between the turns of
+    #: a winding are not even but grow. With the value 0, spirals with a helical entry are recognised as adaptive
+    #: clearing. With a higher value, adaptive clearing of round pockets is recognised as a spiral.
     EQUAL = 0.05
     #: turns. A winding is wavy, like a lattice or a concave contour, if its turns against its sense add up to more than
     #: the threshold. A stroke is not a bite if its turns against its sense add up to more than the threshold. With the
@@ -731,12 +731,12 @@ class MEASURED:
 
 
 class SCAN:
-    """Scan lines across a section. The decision trees were learned with these values."""
+    """Scan lines across a section. The decision trees were learned with the values of this class."""
 
     #: lines. Number of scan lines across a section.
     LINES = 12
-    #: share of the cutting length. This share of the cutting length, on either side of the section, is not crossed by
-    #: scan lines. Most moves beyond the outermost scan lines are leads and remnants.
+    #: share of the cutting length. Share of the cutting length, on either side of the section, that no scan line
+    #: crosses. Most moves beyond the outermost scan lines are leads and remnants.
     EDGE = 0.04
     #: places. Number of crossings of scan lines with moves after which no further scan lines are used.
     ENOUGH = 1200

@@ -120,7 +120,7 @@ def _meet(one: _Ring, other: _Ring, tip: np.ndarray, frame: Frame) -> _Hits:
         a = direction[:2] @ direction[:2] - (slope * direction[2]) ** 2
         b = origin[:, :2] @ direction[:2] - slope * direction[2] * radius
         c = (origin[:, :2] ** 2).sum(axis=1) - radius**2
-        if a:  # if a is 0, the rays are parallel to a straight line on the surface
+        if a:  # if the coefficient a is 0, the rays are parallel to a straight line on the surface
             root = np.sqrt(np.where(b * b < a * c, np.nan, b * b - a * c))
             depths = [(-b - root) / a, (-b + root) / a]
     best = np.full(len(column), np.inf)

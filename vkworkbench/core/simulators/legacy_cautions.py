@@ -13,8 +13,8 @@ from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
 
 # MOST_SHORT_MOVES: number of moves shorter than a cell of the simulator above which a warning appears. RAMP_ERROR:
-# error of a ramp's depth, mm, above which a warning appears. With lower limits, harmless toolpaths get warnings. With
-# higher limits, visible errors of the simulator get no warning.
+# error of a ramp's depth, mm, above which a warning appears. With lower limits for moves and ramps, harmless toolpaths
+# get warnings. With higher limits for moves and ramps, visible errors of the simulator get no warning.
 MOST_SHORT_MOVES = 2000
 RAMP_ERROR = 0.1
 

@@ -223,7 +223,8 @@ class Simulator:
         Names of the preferences that have no effect without the simulator.
     most_bytes : callable or None
         ``most_bytes(task, conditions)`` returns an upper bound of the memory for one operation, and takes little time.
-        If this upper bound is within the budget, no warning about memory is needed, so the cost is not computed for it.
+        If this upper bound of the memory is within the budget, the exact cost is not computed, because no warning about
+        memory is needed.
     """
 
     name: str

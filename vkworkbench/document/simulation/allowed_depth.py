@@ -16,9 +16,9 @@ from vkworkbench.document.simulation.job import SimulatedOperation
 from vkworkbench.language import Message
 
 _ENGRAVING, _DEBURRING = ("Engrave", "Vcarve"), "Deburr"
-# An imported engraving has no property with its depth. Therefore the allowed depth is the depth that this share of the
-# cutting length does not exceed. Lower: the deepest intended strokes are reported as gouges. Higher: a single stroke
-# that is too deep is not reported.
+# An imported engraving has no property with its depth. Therefore the allowed depth is computed from the cuts: this
+# share of the cutting length is not deeper. With a lower share, the deepest intended strokes are reported as gouges.
+# With a higher share, a single stroke that is too deep is not reported.
 _NOT_DEEPER = 0.9
 
 

@@ -53,7 +53,7 @@ _WAIT = 0.05  # s between two calls of `going_on` while waiting for a copy
 
 @dataclass(frozen=True)
 class _Copied:
-    """Copies of one operation's properties. The fingerprint of its path is not yet computed."""
+    """Copies of one operation's properties. The fingerprint of the copied path is not yet computed."""
 
     operation: SimulatedOperation
     path: object
@@ -315,7 +315,10 @@ def _posted(what) -> tuple[list, object]:
 
 
 def _chosen(found: list[Operation]) -> list[Operation]:
-    """Return the operations that are posted, in the order of their job. Raise `Unusable` if they have several jobs."""
+    """Return the operations that are posted, in the order of their job.
+
+    Raise `Unusable` if the operations have several jobs.
+    """
     operations = posted(found)
     jobs = jobs_of(operations)
     if len(jobs) > 1:

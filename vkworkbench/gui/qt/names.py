@@ -86,7 +86,10 @@ from PySide.QtGui import (
 
 
 def single_shot(work: Callable[[], object] | Signal, parent: QObject | None = None, ms: int = 0) -> QTimer:
-    """Return a timer that calls `work`, or emits the signal, once after `ms`. A new start delays the call again."""
+    """Return a timer that calls `work`, or emits the signal, once after `ms`.
+
+    If the timer is started again before `ms` are over, the call is delayed again.
+    """
     timer = QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(ms)

@@ -30,7 +30,7 @@ class Measuring:
         self.points: tuple[np.ndarray, ...] = ()
 
     def add(self, point: np.ndarray) -> None:
-        """Add a point. A third point starts a new measurement."""
+        """Add a point to the measurement. A third point starts a new measurement."""
         self.points = (*self.points, point) if len(self.points) == 1 else (point,)
 
     def depth(self, point: np.ndarray) -> str:

@@ -172,7 +172,10 @@ class Player(QWidget):
         return self._work.works or self._begin.isActive()
 
     def _sized(self) -> None:
-        """Simulate when the image of the part has its first size. A later change of size needs no new simulation."""
+        """Simulate when the image of the part has its first size.
+
+        If the image changes its size later, no new simulation is needed.
+        """
         if self._simulating is None:
             self._begin.start()
 

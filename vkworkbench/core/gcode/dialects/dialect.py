@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Dialect:
-    """The meanings of words that differ between dialects. The default values describe RS274/NGC.
+    """The meanings of words that differ between dialects. The default values of the fields describe RS274/NGC.
 
     Attributes
     ----------

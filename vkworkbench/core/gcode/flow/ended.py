@@ -23,7 +23,7 @@ class Ended(Exception):
 class Unknown(Ended):
     """The value of a variable is unknown, because it comes from the machine.
 
-    Reading ends only at a line that needs the value.
+    Reading ends at the first line that needs such a value, not before.
     """
 
 

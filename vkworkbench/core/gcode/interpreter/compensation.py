@@ -4,8 +4,8 @@
 The first compensated move ends at a distance of the tool's radius from the programmed end point, perpendicular to the
 programmed path. Then the tool follows offset curves, at a distance of the tool's radius from the programmed path. At an
 outer corner, an arc joins two offset curves. At an inner corner, the tool leaves the first offset curve at the
-intersection with the second offset curve. The end of a move is therefore known only when the next move is read. The end
-point in the command that was already added for the first move is then changed.
+intersection with the second offset curve. The end of a move is therefore known only when the next move is read. Then
+the handler corrects the end point in the command that was already added for the first move.
 """
 
 from __future__ import annotations
@@ -211,7 +211,10 @@ def _write(machine: Machine, compensation: Compensation, mode: int, move: dict[s
 
 
 def _leave(machine: Machine, compensation: Compensation, mode: int, move: dict[str, float], begin: complex) -> None:
-    """Add the first move after the compensation. Before an arc, also add a move to the programmed path."""
+    """Add the first move after the compensation.
+
+    If this move is an arc, add a line to the programmed path before the arc.
+    """
     if mode in codes.ARCS:
         _write(machine, compensation, codes.FEED, {}, Curve(compensation.tool, begin))
         machine.write(mode, move)

@@ -18,7 +18,7 @@ def take(machine: Machine, line: Line, *, change: bool) -> None:
     tools = [whole(number, LARGEST_NUMBER) for number in numbers]
     for named in tools:
         machine.clues.tool(named, machine.number)
-        machine.add(f"T{named}", {})  # In a program without M6, `with_changes` makes this command a tool change.
+        machine.add(f"T{named}", {})  # In a program without M6, `with_changes` makes a T word a tool change.
     # On Fagor controls, the T word can be in a line after the M6. If a T word follows an M6 without a tool, the tool
     # change is moved from the M6 to the T word.
     if tools and not change and machine.unnamed is not None:

@@ -167,7 +167,7 @@ def _read(commands: Iterable[Any]) -> tuple[list[str], np.ndarray, str, np.ndarr
 
 def _columns(piece: list[Any]) -> tuple[list[str], list[Any]]:
     """Return the names and the parameters of commands."""
-    # A list of texts: below, c[0] and c[1] would be the first letters of a text.
+    # the commands are a list of texts, so that c[0] and c[1] below would be the first letters of a text
     if piece and isinstance(piece[0], str):
         raise _no_commands(piece)
     try:

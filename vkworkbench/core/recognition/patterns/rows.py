@@ -319,8 +319,8 @@ def _period(gaps: np.ndarray, pitch: float, line: float) -> float:
     """Return the distance after which most lines repeat, mm; return the pitch if most lines do not repeat.
 
     The rows of a lattice (rows that bounce from wall to wall) are two interleaved sets of evenly spaced lines in each
-    pocket. The distance between the two sets is arbitrary. Only the distance between the lines of one set repeats, and
-    this distance is the period.
+    pocket. In a lattice, the distance between the two sets of lines is arbitrary. Only the distance between the lines
+    of one set repeats, and this distance is the period.
 
     Parameters
     ----------

@@ -170,7 +170,7 @@ class Section:
         """The families of rows, at most two. A family consists of all parallel passes along one axis."""
         pieces, rowlike = self.pieces, self._rowlike
         if float(pieces.length[rowlike].sum()) <= NEGLIGIBLE.ROWS * self.length:
-            return []  # if all these pieces are short in total, they are links between loops
+            return []  # pieces that are short in total are links between loops
         if rowlike.all():
             return find_rows(self.moves, np.arange(len(self.moves)))
         return find_rows(self.moves, np.flatnonzero(np.repeat(rowlike, pieces.end - pieces.start)))

@@ -57,7 +57,7 @@ def joined_over_tags(moves: Areas) -> tuple[Areas, float]:
         return strokes, 0.0
     of_contour = np.repeat(contour, last - first + 1)
     dx, dy, end = moves.dx.copy(), moves.dy.copy(), moves.end - 1
-    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # gaps in the opposite direction are rounding errors
+    ahead = of_contour & (dx[end] * gap_x + dy[end] * gap_y > 0)  # gaps against the last move are rounding errors
     dx[end[ahead]] += gap_x[ahead]
     dy[end[ahead]] += gap_y[ahead]
     begins = ~of_contour
