@@ -18,7 +18,10 @@ def rows_of(table: Path) -> list[dict[str, str]]:
 
 
 def fetch(row: dict[str, str], folder: Path, host: str) -> Path:
-    """Return the path of the file that a table row names. Fetch it if it is not in `folder`; raise OSError on failure."""
+    """Return the path of the file that a table row names.
+
+    Fetch the file if it is not in `folder`; raise OSError on failure.
+    """
     path = folder / "texts" / row["repository"] / row["commit"] / row["path"]
     if not path.exists():
         address = f"{host}/{quote(str(path.relative_to(folder / 'texts')))}"

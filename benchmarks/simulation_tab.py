@@ -167,7 +167,10 @@ class Waiting:
         self._beaten = Watch()
 
     def end(self) -> str:
-        """Stop the measurement. Return as text the longest wait and the longest processor time during a wait."""
+        """Stop the measurement.
+
+        Return as text the longest wait for an event, and the longest processor time of FreeCAD during a wait.
+        """
         self._timer.stop()
         return f"{1e3 * self.longest:.0f} ms ({1e3 * self.worked:.0f})"
 

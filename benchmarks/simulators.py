@@ -209,5 +209,5 @@ def straight(commands, resolution, top):
     return made
 
 
-if __name__ in ("__main__", "simulators"):  # FreeCAD imports the script as a module, with the second name
+if __name__ in ("__main__", "simulators"):  # FreeCAD imports the script as a module named `simulators`
     run_and_leave(main)

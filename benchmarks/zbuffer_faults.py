@@ -41,7 +41,7 @@ from vkworkbench.core.zbuffer import (
 from vkworkbench.report import OperationReport, extent_of, with_travel
 
 JOBS, SEED = 25, 47
-# Memory limit of a simulation, bytes. The default in the preferences is 25 times as large and gives finer images.
+# Memory limit of a simulation, bytes. The default limit in the preferences is 25 times as large and gives finer images.
 MEMORY = 40e6
 FEED, PLUNGE = 10.0, 2.0  # mm/s
 ABOVE = 5.0  # distance of rapids above the block, mm

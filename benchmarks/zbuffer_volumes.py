@@ -31,8 +31,8 @@ JOBS, SEED = 40, 47
 # Number of points at which an integrand is evaluated in each interval. An integral over lines (area) or heights
 # (volume) is divided at breaks into intervals, which are integrated separately.
 NODES = 6
-# Number of equal parts into which a range of heights is divided. The range is divided because the cut figures can grow
-# with the height, and can begin to touch each other at any height.
+# Number of equal parts into which a range of heights is divided. Cut figures can grow with the height, and can begin to
+# touch each other at any height, so each range of heights is divided.
 PARTS = 5
 # Minimum number of intervals of integration per radius of a figure, and the number of intervals per radius that is
 # divided among all figures.

@@ -207,7 +207,7 @@ class Desk:
             for op in [op for op in document.Job.Operations.Group if op.Label not in labels]:
                 base = getattr(op, "Base", None)
                 document.removeObject(op.Name)
-                if hasattr(base, "TypeId"):  # the base of a dress-up, which is removed with it
+                if hasattr(base, "TypeId"):  # FreeCAD has removed this base of a dress-up together with the dress-up
                     document.removeObject(base.Name)
             document.saveAs(str(path))
             FreeCAD.closeDocument(document.Name)

@@ -49,8 +49,9 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
     progress : callable, optional
         Called before each operation or file with the number of finished operations or files, the total number, and the
         label.
-    If a line has a code that is not in this set, the P word can belong to that code. If the function returns True, the
-    analysis ends. machine : Machine, str or path, optional
+    cancelled : callable, optional
+        Called during the analysis. If the function returns True, the analysis ends.
+    machine : Machine, str or path, optional
         The machine for which machining times are planned: a `vkworkbench.core.Machine`, the name of a typical machine
         ("hobby-router", "small-mill", "machining-centre"), or a file with the settings that grbl prints (``$$``). None
         stands for the machine in the preferences.

@@ -113,7 +113,7 @@ def test_rays_from_above_through_cavities_have_gaps():
 def test_rays_from_the_side_through_cavities_have_gaps():
     """The view is along y, with x to the right and z upwards.
 
-    Rays pass the cavity, the floor, the gap, and space above.
+    Rays pass the cavity, the floor below it, the gap between the blocks, and the space above.
     """
     _, found = spans(Mesh(HOLLOW), (0, 1, 0), (0.5, -1.5), (0.5, -3.5), (0.5, 2.5), (-1.5, 4), (-2.5, 4), (-2.5, 0))
     assert found.near == pytest.approx([-3, -3, 0, -2, 0, -3]) and found.far == pytest.approx([3, 3, 0, 2, 0, 3])

@@ -553,7 +553,10 @@ def test_total_is_outdated_while_one_operation_is_outdated(small, zigzag_command
         ({"seconds": 61.0}, True),
         ({"seconds": 59.0}, False),
         ({"hangs": "legacy"}, True),
-        ({"hangs": "OpenGL"}, False),  # the mark shows the legacy simulator, so OpenGL's hang does not matter
+        (
+            {"hangs": "OpenGL"},
+            False,
+        ),  # the mark's time is the legacy simulator's
     ],
 )
 def test_warning_sign_belongs_to_the_started_simulator(small, zigzag_commands, changed, warned):

@@ -24,7 +24,7 @@ def test_thread_does_not_collect_garbage(window):
 
     def work(going_on):
         going.wait(20)
-        yield [[] for _ in range(300_000)]  # enough for Python to start a garbage collection
+        yield [[] for _ in range(300_000)]  # many objects, so that Python starts a garbage collection
 
     window.wait(gc.isenabled)
     Background(parent).start("", work, lambda result: None, ended.append)

@@ -910,7 +910,7 @@ def test_length_above_ten_metres_is_shown_in_metres():
 
 
 @pytest.mark.parametrize(("title", "name"), [("Machi-\nning\nTime", "Machining Time"), ("加工\n时间", "加工时间")])
-def test_line_breaks_in_a_column_title_are_removed_in_names(title, name):
+def test_name_of_a_column_is_its_title_without_line_breaks(title, name):
     assert Column("key", title, "", None).name == name
 
 

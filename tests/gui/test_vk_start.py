@@ -15,7 +15,7 @@ def test_main_window_of_freecad_is_there():
     assert FreeCADGui.getMainWindow().isVisible()
 
 
-# The only modules of the add-on that FreeCAD's start may load. The modules do not import numpy.
+# The only modules of the add-on that FreeCAD's start may load. The modules that start with FreeCAD do not import numpy.
 AT_START = {
     "vkworkbench", "vkworkbench.freecad", "vkworkbench.preferences", "vkworkbench.document",
     "vkworkbench.document.computer", "vkworkbench.document.computer.idle", "vkworkbench.document.marks", "vkworkbench.document.job", "vkworkbench.document.marks.properties", "vkworkbench.document.job.operations", "vkworkbench.gui", "vkworkbench.gui.qt.plain_text", "vkworkbench.gui.preferences_page", "vkworkbench.gui.form_page", "vkworkbench.gui.machine_page",

@@ -191,7 +191,7 @@ def test_texts_of_the_preferences_are_translated_and_fit(language, window):
 
 @pytest.mark.parametrize("name", LANGUAGES)
 def test_compiled_translations_are_up_to_date(name):
-    # If this fails, run resources/update_translations.sh.
+    # If this test fails, run resources/update_translations.sh.
     translator = QtCore.QTranslator()
     assert translator.load(str(TRANSLATIONS / f"VkWorkbench_{name}.qm"))
     for context in ElementTree.parse(TRANSLATIONS / f"VkWorkbench_{name}.ts").getroot().iter("context"):

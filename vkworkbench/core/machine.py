@@ -103,7 +103,7 @@ class Machine:
         lengths, (begin, end) = exact_lengths(toolpath), _tangents(toolpath)
         along = np.abs(np.diff(toolpath.points, axis=0)) / toolpath.lengths[:, None]
         speed = self._speeds(toolpath, along, lengths)
-        gain = 2 * _least_over(self.accelerations, along) * lengths  # change of the squared speed at full acceleration
+        gain = 2 * _least_over(self.accelerations, along) * lengths  # change of speed^2 at full acceleration
         reached = np.concatenate(([0.0], np.cumsum(gain)))
         planned = reached[np.minimum(np.arange(len(reached)) + self.lookahead, len(gain))]
         squared = np.minimum(self._corners(begin, end, speed), planned - reached)

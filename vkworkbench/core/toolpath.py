@@ -189,7 +189,7 @@ class Toolpath:
     def part(self, first: int, end: int) -> Toolpath:
         """Return the toolpath of the trajectories from `first` to `end` - 1.
 
-        The returned toolpath contains the tool changes and comments between these trajectories, but no problems and no
+        The returned toolpath contains the tool changes and comments between its trajectories, but no problems and no
         dwells.
         """
         inside = (self.tool_changes > first) & (self.tool_changes < end)

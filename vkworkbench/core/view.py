@@ -37,7 +37,7 @@ class View:
     Parameters
     ----------
     direction : (3,) tuple of float
-        Direction in which the eye looks; any length except zero is allowed. The default is straight down.
+        Direction in which the eye looks; any length except zero is allowed. The default direction is straight down.
     width, height : int
         Size of the image, pixels: each at most a million, their product at most 2**32. The default is the paper's image
         (section 1).

@@ -34,7 +34,8 @@ def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[Ope
     Returns
     -------
     tuple of OperationReport
-        The rows of the program. If the process died or exceeded the time limit, one row whose remark states the reason.
+        The rows of the program. If the process died or exceeded the time limit, the result is one row whose remark
+        states the reason.
     """
     begin = float("inf")
     try:

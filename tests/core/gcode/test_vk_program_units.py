@@ -97,7 +97,7 @@ def test_coordinates_without_a_point_look_like_thousandths(unit, scale, text, sa
     )
 
 
-def test_thousandths_are_whole_numbers_in_the_programs_unit():
+def test_thousandths_depend_on_the_programs_unit():
     path = read_program("G20\nG0 X0 Y0 Z1\nG1 X5001 Y7 F9").toolpath()
     assert looks_like_increments(path, inches=True) and not looks_like_increments(path, inches=False)
 

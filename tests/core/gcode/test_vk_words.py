@@ -79,7 +79,7 @@ def test_reading_in_batches_equals_reading_at_once(piece, monkeypatch):
     assert np.array_equal(pieces.codes, whole.codes)
     for letter in whole.letters:
         for one, other in zip(pieces.column(letter), whole.column(letter)):
-            np.testing.assert_array_equal(one, other)  # NaN equals NaN.
+            np.testing.assert_array_equal(one, other)  # Two NaN values count as equal.
 
 
 BEFORE_CODES = [("G0", {"Z": 25}), ("G0", {"X": 15, "Y": 20}), ("G1", {"Z": 18, "F": 2})]

@@ -578,7 +578,7 @@ def test_results_on_a_dask_cluster_equal_local_results(folder, tmp_path, inside,
     assert sorted(found) == sorted(here.read_bytes().splitlines())
     assert len(late) == 1 and b"stopped after 20 s" in late[0]
     started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
-    assert len(started) == 2 and all(started.values())  # both workers had programs to analyse
+    assert len(started) == 2 and all(started.values())  # each of the two workers had programs to analyse
 
 
 @pytest.mark.long

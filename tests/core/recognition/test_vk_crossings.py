@@ -77,7 +77,10 @@ def test_rows_cut_in_turn_from_both_sides_are_not_consecutive():
 
 
 def test_one_larger_distance_makes_rows_less_even():
-    """The distances are 3, 3, 3, 3, 9, 3, 3, 3 and 3.3 mm. The last distance is within the tolerance."""
+    """The distances between the rows are 3, 3, 3, 3, 9, 3, 3, 3 and 3.3 mm.
+
+    The last distance is within the tolerance.
+    """
     gaps = np.array([3, 3, 3, 3, 9, 3, 3, 3, 3.3])
     _, level, _ = told(rows(np.zeros(ROWS), np.append(0.0, np.cumsum(gaps))))
     assert level["even"] == pytest.approx(8 / 9) and level["step"] == pytest.approx(log(3 / EXTENT))
@@ -112,7 +115,7 @@ def test_strokes_that_no_scan_line_crosses_have_no_measures():
 def test_crossings_are_sampled_from_the_middle_rows():
     """Two scan lines take their 600 crossings from the middle 600 of 2,000 rows.
 
-    The middle rows are cut in one direction. The rows before and after are cut back and forth.
+    The middle rows are cut in one direction, all rows before and after them back and forth.
     """
     strokes = []
     for k in range(2000):

@@ -82,7 +82,7 @@ def test_measures_of_rings_at_two_depths_match_hand_calculation():
 
 
 def test_evenness_of_rings_at_equal_depth_steps_is_measured():
-    """The offsets are 2, 3 and 4 mm. Their 10th and 90th percentiles are 2.2 and 3.8 mm."""
+    """The offsets are 2, 3 and 4 mm. The 10th and 90th percentiles of these three offsets are 2.2 and 3.8 mm."""
     found = told(programs.program([polygon(side, z=-1.0 * k) for k, side in enumerate((40, 36, 30, 22))]))
     holds(
         found, {"evenness": log1p(1 + 1.6 / 3 / WATERLINES.ROUNDING), "ring_depths": log1p(4), "deeper": 1, "nested": 0}

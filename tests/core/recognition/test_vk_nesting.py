@@ -91,7 +91,8 @@ def square_inside(step, **drawn):
 def test_offset_sides_move_by_half_to_one_and_a_half_distances(step, found):
     """All sides move by 2 mm, and the area changes as for a distance of `step`.
 
-    The 2 mm are half of 4 mm, and one and a half times 1.33 mm. Differences of 0.02 mm count as rounding.
+    Offsets are accepted from half to one and a half times the distance, which is 4 mm and 1.33 mm for the sides' 2 mm.
+    Differences of 0.02 mm count as rounding.
     """
     assert square_inside(step) == pytest.approx([found])
 
@@ -116,7 +117,7 @@ def test_nested_rings_are_within_the_reach_of_a_known_tool():
 
 def test_nested_rings_of_an_unknown_tool_are_within_two_steps():
     assert reached(40.0, 36.0, 32.0)[0] == pytest.approx(4)
-    # With only two rings, the largest distance is a twentieth of the larger ring.
+    # With only two rings, rings up to a twentieth of the larger ring's size apart are nested.
     assert reached(40.0, 38.0)[0] == pytest.approx(2)
     assert reached(40.0, 36.0)[0] == pytest.approx(2)
     # The repeat of a ring does not count as a step between rings.

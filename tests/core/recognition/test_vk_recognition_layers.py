@@ -264,7 +264,7 @@ def out_and(*points, at=0.0):
     [
         ([(6, 0, -1), (0, 0, -2)], "ramp", 2),  # The ramp ends at the start of the path.
         ([(6, 0, -1), (1, 0, -2)], "plunge", 6),  # The ramp does not reach the start of the path.
-        ([(0, 0, -2)], "plunge", 5),  # The tool returns on another line.
+        ([(0, 0, -2)], "plunge", 5),  # The way back is on another line.
         ([(6, 0, 0), (0, 0, 0)], "plunge", 6),  # The way back is level.
     ],
 )

@@ -377,7 +377,7 @@ def test_ramp_down_from_the_retract_height_is_not_a_retract():
     assert find_visits(path, monotonous_areas(path)).blocks.tolist() == [2, 1]
 
 
-def test_series_measure_averages_the_neighbouring_retracts():
+def test_series_measure_is_the_mean_over_neighbouring_retracts():
     tops = [0, 0, 5, 9, 9]  # The first two heights of the toolpath are equal, and the last two heights are equal.
     visits = Visits(*(np.repeat(values[:1], 5, axis=0) for values in vars(two_visits()).values()))
     found = compare_visits(replace(visits, top=np.array(tops, float)))

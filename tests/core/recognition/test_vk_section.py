@@ -120,7 +120,10 @@ def test_star_shaped_contour_is_a_contour():
 
 @pytest.mark.parametrize("length, families", [(15.0, 0), (30.0, 1)])
 def test_rows_with_less_than_a_tenth_of_the_length_are_links(length, families):
-    """The squares have 1136 mm. Six rows and their links of 15 mm have 105 of 1241 mm, or 195 of 1331 mm."""
+    """The total length of the squares is 1136 mm.
+
+    Six rows and their links of 15 mm have 105 of 1241 mm, or 195 of 1331 mm.
+    """
     squares = [polygon(side, x=200) for side in (80, 74, 68, 62)]
     assert len(section(rows(length=length), *squares).rows) == families
 

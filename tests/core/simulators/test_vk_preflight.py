@@ -168,7 +168,7 @@ def test_default_memory_budget_is_a_gigabyte(memory, too_much):
 
 
 def test_default_cell_is_a_thousandth_of_the_longer_side():
-    """FreeCAD's slider has this default. A stock of 100 x 60 mm has 1001 x 601 corners."""
+    """FreeCAD's accuracy slider has the same default. A stock of 100 x 60 mm has 1001 x 601 corners."""
     task = Task(
         linearize([START, ("G1", {"X": 20.0, "F": 5.0})]), Tool("endmill", 6.0), Stock((0, 0, 0), (100, 60, 20))
     )

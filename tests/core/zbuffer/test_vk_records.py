@@ -10,8 +10,8 @@ from vkworkbench.core.zbuffer.rays import records as module
 from vkworkbench.core.zbuffer.rays.records import GAP, Records, Writer, side_by_side
 
 TRAJECTORIES = 3  # In `OWNER`, the number 3 means material that stays.
-# The segments on the rays of pixels 0 to 5 are: 0: cut, stays, cut. 1: none. 2: stays, gap, stays, stays. 3: cut.
-# 4: cut, cut, stays. 5: stays.
+# The segments on the rays of pixels 0 to 5 are: cut, stays, cut; none; stays, gap, stays, stays; cut; cut, cut, stays;
+# stays.
 INDEX = [0, 3, 3, 7, 8, 11, 12]
 ENTRY = [-5.0, 0.0, -4.0, 1.0, 2.0, 6.0]
 FAR = [-3.0, 1.0, 5.0, -2.0, 0.0, 1.5, 4.0, 3.0, 3.0, 5.0, 9.0, 8.0]

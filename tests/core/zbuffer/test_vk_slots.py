@@ -47,7 +47,7 @@ def in_ball(x, y, z, t, move, sine, cosine):
 
 
 def check(slot, parts, move, tilt):
-    """Compare first entry and last exit with the extremes over many positions, within the distance of two positions."""
+    """Compare where rays enter and leave a slot with the extremes over many positions of the tool."""
     move, sine, cosine = np.array(move), np.sin(tilt), np.cos(tilt)
     x, y, z = rays(move, seed=int(100 * tilt))
     with np.errstate(invalid="ignore"):
@@ -77,7 +77,7 @@ def test_flat_end_slot_of_level_move_equals_many_positions(move, tilt):
 
 
 @pytest.mark.parametrize("tilt", FROM_THE_SIDE)
-def test_ray_on_the_floor_of_a_slot_passes_the_slot(tilt):
+def test_ray_on_the_floor_of_a_slot_is_inside_the_slot(tilt):
     z = np.array([0.0, 1e-12, -1e-12])
     move = np.repeat([[10.0], [4.0], [0.0]], 3, axis=1)
     near, far = level_slot(RADIUS, (np.full(3, 5.0), np.zeros(3), z), move, np.sin(tilt), np.cos(tilt))
@@ -86,7 +86,7 @@ def test_ray_on_the_floor_of_a_slot_passes_the_slot(tilt):
 
 @pytest.mark.parametrize("tilt", TILTS + FROM_BELOW)
 @pytest.mark.parametrize("move", LEVEL + SLOPED + UPRIGHT, ids=str)
-def test_flat_end_slot_of_any_move_equals_many_positions(move, tilt):
+def test_slot_of_a_flat_end_equals_the_tool_at_many_positions(move, tilt):
     check(sloped_slot, [standing], move, tilt)
 
 

@@ -95,7 +95,10 @@ def test_rapid_below_a_cut_floor_is_a_crash_beyond_rounding(under, crashed):
 
 
 def test_crash_of_descending_rapid_is_at_deepest_place():
-    """The rapid starts 1 mm above the faced block and ends 4 mm below. At the block's edge, the tool is at 4.1 mm."""
+    """The rapid starts 1 mm above the faced block and ends 4 mm below.
+
+    At the block's edge, the tip of the tool is at the height 4.1 mm.
+    """
     (one,) = told(SOUND, path([(-5, 15, 9), (45, 15, 4), (45, 15, 12)], rapid=[0])).job.crashes
     assert one.depth == pytest.approx(8 - 4.1, abs=0.02)
     assert one.place[:2] == pytest.approx((41, 15), abs=0.6) and one.place[2] == pytest.approx((8 + 4.1) / 2, abs=0.02)

@@ -48,7 +48,7 @@ def is_closed(gap: np.ndarray, enclosed: np.ndarray, moves: np.ndarray) -> np.nd
 
 
 def may_be_closed(gap: np.ndarray, length: np.ndarray) -> np.ndarray:
-    """Return whether each gap is small enough for a closed stretch of this length, (k,) bool; see :func:`is_closed`.
+    """Return whether stretches with these gaps between their ends count as closed, (k,) bool; see :func:`is_closed`.
 
     A stretch encloses at most the area of a circle whose circumference is the length of the stretch.
     """

@@ -54,9 +54,9 @@ def image_arcs(angle: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
     ----------
     angle : (n,) array_like of float
         Angles of the successive Gaussian images, which are points of the unit circle, rad.
-    radius : (n,) array_like of float Radius at which each Gaussian image is drawn, as a distance from the centre. If
-    the Gaussian images move back and forth on the same
-        arc of the unit circle, different radii separate the drawn arcs.
+    radius : (n,) array_like of float
+        Radius at which each Gaussian image is drawn, as a distance from the centre. If the Gaussian images move back
+        and forth on the same arc of the unit circle, different radii separate the drawn arcs.
 
     Returns
     -------

@@ -103,8 +103,8 @@ class PIECES:
 
     #: moves. The moves of all pieces are compared in one loop over the moves if no piece has more moves than the
     #: threshold, because numpy's overhead for one piece is about the time for this number of moves. With the value 0,
-    #: measuring the bounding boxes of squares takes longer. A higher value does not save time. No result depends on
-    #: this threshold.
+    #: measuring the bounding boxes of squares takes longer. With a higher value, measuring takes as long. No result
+    #: depends on this threshold.
     FEW = 8
 
 
@@ -394,8 +394,8 @@ class TROCHOIDS:
 class ROWS:
     """Rows: parallel passes side by side."""
 
-    #: directions in half a turn. Number of classes of directions in the search for the most frequent direction. With
-    #: the value 1, grids have no axis.
+    #: classes of directions in half a turn. Number of classes of directions in the search for the most frequent
+    #: direction. With the value 1, grids have no axis.
     DIRECTIONS = 64
     #: values. Largest number of values from which medians are computed, and of passes from which the lines of a family
     #: of rows are found. With the value 1, zigzags are recognised as engravings. A larger sample takes time and does
@@ -693,7 +693,7 @@ class LATHE:
 class MEASURED:
     """Sample sizes and limits of the measures that the decision trees read.
 
-    The decision trees were learned with these values.
+    The decision trees were learned with the values of this class.
     """
 
     #: moves. Number of sampled moves from which shares of the section's length are computed; the sample is spread

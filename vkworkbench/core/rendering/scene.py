@@ -249,7 +249,7 @@ def _draw(field: Field, layer: Layer, frame: Frame, colors: np.ndarray, part_wal
     number = owner + np.int64(1)
     if colors.ndim == 3 and layer.is_part and not below:
         number, colors = seen.cell, _in_border(colors)
-    elif colors.ndim == 3 or len(colors) == 2:  # all trajectories have one colour
+    elif colors.ndim == 3 or len(colors) == 2:  # all trajectories in the picture have one colour
         np.minimum(number, 1, out=number)
         colors = palette(CUT) if colors.ndim == 3 else colors
     color = _packed(colors, BRIGHTEST)[number]

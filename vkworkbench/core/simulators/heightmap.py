@@ -36,8 +36,8 @@ def heightmaps(toolpath: Toolpath, *, tool: Tool, stock: Solid, parts: int = 1) 
     stock : Solid
         Only the ``lower`` and ``upper`` corners are used, mm.
     parts : int
-        Number of maps. The commands with moves are divided into this number of parts with equally many commands. Each
-        map shows the stock after one more part.
+        Number of height maps. The commands with moves are divided into this number of parts with equally many commands.
+        Each map shows the stock after one more part.
 
     Returns
     -------

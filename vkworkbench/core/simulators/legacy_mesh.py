@@ -8,7 +8,7 @@ import numpy as np
 # A height difference between two neighbouring cells of the height map is a wall if its ratio to the edge of a cell is
 # at least this value. A smaller height difference is also a wall if it is more than twice each neighbouring height
 # difference; otherwise the height difference is a slope. With a lower value, steep slopes count as walls. With a higher
-# value, walls beside slopes count as slopes. In both cases, the number of triangles in the mesh is estimated wrongly.
+# value, walls beside slopes count as slopes. With a wrong value, the estimated number of triangles is wrong.
 _WALL = 1.8
 # Number of triangles per corner of a wall (_CORNER), per cell along a wall (_ALONG), per rectangle on a slope
 # (_RECTANGLE), and in the mesh of an uncut box (BOX). The numbers were fitted to FreeCAD's meshes
@@ -23,9 +23,9 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: f
 
     The simulator covers the stock with rectangles of cells whose heights differ by less than the edge of a cell. On a
     slope with the gradients gx and gy, a rectangle has 1/gx by 1/gy cells, so there are gx times gy rectangles per
-    cell. Rectangles are at most five times as long as wide. A flat floor is covered by a few rectangles, and a wall by
-    a few rectangles per corner. If the stock is cut through, its lower face is divided into many rectangles, whose
-    number increases with the number of cells; see :func:`bottom_rectangles`.
+    cell. Rectangles are at most five times as long as wide. A flat floor of the part is covered by a few rectangles,
+    and each corner of a wall adds a few rectangles. If the stock is cut through, its lower face is divided into many
+    rectangles, whose number increases with the number of cells; see :func:`bottom_rectangles`.
 
     Parameters
     ----------

@@ -65,7 +65,7 @@ class ResultCache:
                 self._trajectories -= dropped.trajectories
 
     def clear(self) -> None:
-        """Drop all rows."""
+        """Drop all stored results."""
         with self._lock:
             self._rows.clear()
             self._trajectories = 0
@@ -103,7 +103,7 @@ _latest: dict[str, dict[str, OperationReport]] = {}  # latest rows by the names 
 
 
 class _ClosedDocuments:
-    """Drops the rows of a closed document, because another document can get the same name."""
+    """Drops the stored results of a closed document, because another document can get the same name."""
 
     def slotDeletedDocument(self, document) -> None:
         _latest.pop(document.Name, None)

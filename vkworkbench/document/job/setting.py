@@ -177,7 +177,7 @@ def exact_box(shape) -> tuple[tuple, tuple]:
     """Return the lower and the upper corner of a shape's exact bounding box, mm.
 
     The shape's own `BoundBox` depends on the mesh that displays the shape, and before FreeCAD 1.0 the optimal box does,
-    too. Therefore the box is computed from a copy without this mesh.
+    too. Therefore the box is computed from a copy of the shape without its mesh.
     """
     return _exact_boxes.of(shape, lambda: _corners(shape.copy(False, False)))
 

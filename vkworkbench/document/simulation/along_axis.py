@@ -45,7 +45,8 @@ class AlongAxis:
     def facts(self, tolerance: float, going_on: Callable[[], None] = lambda: None) -> JobFacts:
         """Return what the simulation found in the operations, and the verdict on the job; see `core.zbuffer.facts`.
 
-        `going_on` is called many times a second during most of the work. If `going_on` raises, the work ends.
+        `going_on` is called many times a second during most of the work. If `going_on` raises an exception, the work
+        ends.
         """
         thin, seen = None, self.seen
         if seen is not None:

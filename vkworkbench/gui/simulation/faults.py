@@ -125,7 +125,7 @@ class KnownFaults:
         return translate("Vk_Simulate", "{} (X {} Y {} Z {} {})").format(self.text(fault), x, y, z, unit)
 
     def marks(self, found: list[Fault]) -> tuple[Warned, ...]:
-        """Return the warnings for the time line, which shows no fault without a trajectory (missing stock)."""
+        """Return the warnings for the time line, without missing stock, which no trajectory causes."""
         return tuple(
             Warned(
                 float(self.clock.ends[fault.trajectory + 1]),

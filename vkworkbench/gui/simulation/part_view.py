@@ -168,7 +168,7 @@ class PartView(QWidget):
         try:
             self._paint(painter)
         finally:
-            painter.end()  # otherwise the traceback of an error would keep the painter active
+            painter.end()  # end painting also after an error, because the traceback would keep the painter active
 
     def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(*self.background))

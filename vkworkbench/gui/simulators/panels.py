@@ -19,7 +19,7 @@ _PARTS = {
 
 
 def panels() -> list[QWidget]:
-    """Return the open panels of FreeCAD's simulators whose widgets can be used. All panels have the same Qt name.
+    """Return the open panels of FreeCAD's simulators whose widgets can be used. All have the same Qt name.
 
     FreeCAD 1.x keeps closed panels, and PySide can confuse widgets of the next panel with deleted widgets at the same
     address. FreeCAD reports that its command failed if it finds such a deleted widget in its panel; the result does not

@@ -99,7 +99,7 @@ def test_call_of_an_unreadable_or_missing_program_has_a_remark(call):
     ("before", "beside", "titles"),
     [("", "", ["Facing"]), ("", "; (faces)", ["faces"]), ("(Top)\n", "", ["Top"]), ("G1 X9\n(Top)\n", "", ["", "Top"])],
 )
-def test_comments_in_subprograms_name_but_divide_no_operations(before, beside, titles):
+def test_titles_in_subprograms_do_not_divide_the_program(before, beside, titles):
     lines = "N10 ; (Facing)\nG91; (in steps)\nG0 Z-1 ; (down)\nG90\nG1; (cuts)\nX50\n(over)\nY5\nX0\nM99"
     text = f"O1\n{BEFORE}{before}M97 P10 L2 {beside}\nG0 X0\nM97 P10\nM30\n{lines}"
     assert [section.title for section in split_sections(read_program(text))] == titles

@@ -34,7 +34,9 @@ class Step(NamedTuple):
     ----------
     code : str
         The program line with numbers in place of variables and expressions; empty if no words are left.
-    to : int or None Index of the line at which the program continues; None for the next line. call : Call or None
+    to : int or None
+        Index of the line at which the program continues; None for the next line.
+    call : Call or None
         The subprogram that the line calls.
     returns : bool
         Whether the line ends the current subprogram.

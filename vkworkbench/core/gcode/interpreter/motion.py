@@ -18,7 +18,7 @@ AXES = frozenset("XYZIJKR")
 
 
 def move_of(machine: Machine, line: Line) -> None:
-    """Add the command for a program line: a move, or only a motion or feed rate for later lines."""
+    """Add the command for a program line: a move, or a motion or feed rate that only later lines use."""
     motion, apart, parameters = line.motion, line.apart, line.parameters
     if motion is None and machine.motion == codes.CANCEL:  # axis words without a motion code after G80 are a rapid
         motion = _after_cancel(machine) if not AXES.isdisjoint(parameters) and not apart and line.once is None else None

@@ -16,7 +16,7 @@ from vkworkbench.language import Message
 _RADII, _RADII_OF_FANUC = (1.0, 12.0, 13.0), (12.0, 13.0)
 # Work offsets with a P word, and the codes of the offsets that they select: Fanuc's G54 P1 is G54.1 P1; Mach3 has G59 P7.
 _WITH_P = {540: codes.MORE_OFFSETS, 590: 590}
-# Codes whose line can contain the P word of a work offset. In a line with a code that is not in this set, the P word can
+# Codes whose line can contain the P word of a work offset. If a line has a code that is not in this set, the P word can
 # belong to that code.
 _WITHOUT_P = frozenset([
     *(("G", float(code)) for code in (0, 1, 17, 18, 19, 20, 21, 40, 43, 49, 54, 59, 80, 90, 91, 94, 98, 99)),

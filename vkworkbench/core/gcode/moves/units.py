@@ -15,8 +15,8 @@ INCH = 25.4  # mm
 # A toolpath below all three limits (SMALL, LOW and SLOW) is more often read in the wrong unit than really this small.
 # benchmarks/inches.py prints how often toolpaths look like inches, at their exact size and at 1/25.4 of this size.
 SMALL = 15.0  # mm, longer side of the cuts in X and Y; few parts are larger than 15 inches.
-# Like SMALL, but below this limit a remark says that the unit is doubtful. If the limit is higher, more parts in mm get
-# the remark. If the limit is lower, more large parts in inches get no remark.
+# Like SMALL, but below this limit a remark says that the unit is doubtful. With a higher limit, more parts in mm get
+# this remark. If the limit is lower, more large parts in inches get no remark.
 DOUBTFUL = 40.0
 # mm, height from the lowest cut to the highest point; most programs in mm lift the tool farther above the cuts.
 LOW = 4.0

@@ -195,7 +195,11 @@ def _in_half_turn(axis: float) -> float:
 class _Passes(NamedTuple):
     """The p passes along an axis.
 
-    first, last : (p,) int First and last move of each pass. length : (p,) float
+    Attributes
+    ----------
+    first, last : (p,) int
+        First and last move of each pass.
+    length : (p,) float
         Length of each pass, mm.
     forward : (p,) bool
         Whether the pass runs along the axis, and not against it.

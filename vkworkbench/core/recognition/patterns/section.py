@@ -313,10 +313,9 @@ class Section:
         """Return the share of the cutting length in open strokes that clear the inside of a ring.
 
         The ring is the ring cut last before or first after the stroke, at the same depth. A stroke that clears goes
-        back and forth; a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the ring; a
-        stroke farther inside would leave uncut ground, so it is a separate contour that is not quite closed. A stroke
-        that clears encloses less area for its length than the ring; a stroke that encloses as much is a repetition of
-        the ring.
+        back and forth; a stroke of one pass is a lead. A stroke that clears lies within the tool's reach of the ring. A
+        stroke that clears encloses less area for its length than the ring; a stroke that encloses as much is a
+        repetition of the ring.
         """
         pieces, strokes = self.pieces, self.strokes.index
         strokes = strokes[pieces.passes[strokes] > 1]

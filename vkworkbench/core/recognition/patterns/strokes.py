@@ -79,8 +79,8 @@ def relate_strokes(pieces: Pieces, index: np.ndarray) -> Strokes:
     beside[1:] |= meets
     bite, against = np.zeros(len(index), bool), np.zeros(len(index), bool)
     with_most = sense == common
-    # Most strokes that bend in the common sense of rotation must be close to a neighbouring bent stroke. Otherwise, the
-    # few strokes that are close are so by chance, and are not bites.
+    # Most strokes that bend in the common sense of rotation must be close to a neighbouring bent stroke. If fewer
+    # strokes are close, they are so by chance, and are not bites.
     if np.count_nonzero(with_most & beside) >= MAJORITY.SHARE * np.count_nonzero(with_most):
         bite[bent[with_most & beside]] = True
     against[bent[sense == -common]] = True

@@ -25,7 +25,7 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     """Return the borders (trajectories before which another operation can begin), and whether each border is certain.
 
     Tool changes, and both ends of a run of drilled holes, are certain borders. A comment that is a title is an
-    uncertain border. Other comments are ignored.
+    uncertain border. Comments that are not titles are ignored.
     """
     comments = {int(at) for at, text in toolpath.comments if title_of(text)}
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}

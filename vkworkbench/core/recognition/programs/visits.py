@@ -24,7 +24,7 @@ FILE = Path(__file__).with_name("borders.npz")
 def shipped_trees() -> Trees:
     """Return the decision trees that vote whether another operation begins at a retract (class 1).
 
-    The file is read when first needed.
+    The file with the trees is read when first needed.
     """
     with np.load(FILE, allow_pickle=False) as arrays:
         return read_trees(arrays, "borders")

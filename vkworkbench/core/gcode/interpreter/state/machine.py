@@ -165,8 +165,8 @@ class Machine:
     def moves_plainly(self) -> bool:
         """bool : Whether the commands of moves depend only on the units, on G90 or G91, and on the motion.
 
-        While this property is True, `plain_lines` reads many lines at once, without the handlers of this package. If
-        another state of the machine changes the commands of moves, or leads to messages, this property must be False.
+        While this property is True, `plain_lines` reads many lines at once, without the handlers of this package. The
+        property must be False if another state of the machine changes the commands of moves, or leads to messages.
         """
         return (
             self.moved

@@ -16,7 +16,7 @@ from vkworkbench.core.gcode.interpreter.state.origins import System
 class Map(NamedTuple):
     """A similarity of the XY plane, which maps a point p to ``factor * p + offset``.
 
-    If `flips` is true, the map first replaces p by its complex conjugate.
+    If `flips` is true, the point p is first replaced by its complex conjugate.
 
     Attributes
     ----------

@@ -98,7 +98,9 @@ class Compensation:
         The last end point of the programmed path, and the position of the tool's centre, mm.
     last : Curve or None
         The last offset curve; None before the first compensated move.
-    command : int Index of the command from which `last` was computed. relative : bool
+    command : int
+        Index of the command from which `last` was computed.
+    relative : bool
         Whether the words of the command for `last` are relative (G91).
     ends : bool
         Whether the next move leads back to the programmed path, because of G40.
