@@ -394,8 +394,8 @@ class TROCHOIDS:
 class ROWS:
     """Rows: parallel passes side by side."""
 
-    #: classes of directions in half a turn. Number of classes of directions in the search for the most frequent
-    #: direction. With the value 1, grids have no axis.
+    #: directions in half a turn. Number of classes of directions in the search for the most frequent direction. With
+    #: the value 1, grids have no axis.
     DIRECTIONS = 64
     #: values. Largest number of values from which medians are computed, and of passes from which the lines of a family
     #: of rows are found. With the value 1, zigzags are recognised as engravings. A larger sample takes time and does
