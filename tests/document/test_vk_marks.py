@@ -6,11 +6,11 @@ import os
 import subprocess
 from dataclasses import replace
 from functools import partial
+from itertools import product
 
 import FreeCAD
 import Path
 import pytest
-from cases import first_everywhere
 from posting import posted
 
 import vkworkbench
@@ -110,51 +110,38 @@ CHANGES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "written", first_everywhere([*DAMAGED, *([name, value] for name, values in CHANGES.items() for value in values)], 5)
-)
-def test_damaged_mark_is_replaced(small, zigzag_commands, written):
+def test_damaged_mark_is_replaced(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    text = op.Label2
-    op.VkWorkbenchMark = (
-        written if isinstance(written, str) else json.dumps({**json.loads(op.VkWorkbenchMark), written[0]: written[1]})
-    )
-    assert marks.read(op) is None and marks.is_marked(op) and not marks.is_outdated(op)
-    watcher.check(small.document)
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert op.Label2 == text and marks.read(op).reason[0].code == "rows"
-    op.VkWorkbenchMark = written if isinstance(written, str) else "{}"
-    vkworkbench.clear(small.document)
-    assert op.Label2 == "" and marked(small.document) == []
+    for written in (*DAMAGED, *((name, value) for name, values in CHANGES.items() for value in values)):
+        vkworkbench.mark(vkworkbench.analyze(small.document))
+        text, whole = op.Label2, json.loads(op.VkWorkbenchMark)
+        op.VkWorkbenchMark = written if isinstance(written, str) else json.dumps({**whole, written[0]: written[1]})
+        assert marks.read(op) is None and marks.is_marked(op) and not marks.is_outdated(op), written
+        watcher.check(small.document)
+        vkworkbench.mark(vkworkbench.analyze(small.document))
+        assert op.Label2 == text and marks.read(op).reason[0].code == "rows", written
+        op.VkWorkbenchMark = written if isinstance(written, str) else "{}"
+        vkworkbench.clear(small.document)
+        assert op.Label2 == "" and marked(small.document) == [], written
 
 
-TYPES = [
-    "App::PropertyInteger",
-    "App::PropertyString",
-    "App::PropertyLink",
-    "App::PropertyStringList",
-    "App::PropertyBool",
-]
-
-
-@pytest.mark.parametrize("kind", first_everywhere([None, *TYPES], 2))
-@pytest.mark.parametrize("name", mark_properties._TYPES)
-def test_deleted_or_retyped_property_is_created_again(small, zigzag_commands, name, kind):
+def test_deleted_or_retyped_property_is_created_again(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
     before = sorted(op.PropertiesList)
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    expected = {name: str(getattr(op, name)) for name in op.PropertiesList if name not in before}
-    op.removeProperty(name)
-    if kind:
-        op.addProperty(kind, name, "" if name == mark_properties.MARK else "Toolpath analysis")
-    watcher.check(small.document)
-    marks.is_outdated(op), marks.is_marked(op), marks.words_of(op), marks.read(op)
-    vkworkbench.mark(vkworkbench.analyze(small.document))
-    assert {name: str(getattr(op, name)) for name in op.PropertiesList if name not in before} == expected
-    assert set(op.getEditorMode("Strategy")) == {"ReadOnly"} and op.Label2.count("⟦") == 1
-    vkworkbench.clear(small.document)
-    assert (sorted(op.PropertiesList), op.Label2) == (before, "")
+    for name, kind in product(mark_properties._TYPES, (None, "Integer", "String", "Link", "StringList", "Bool")):
+        vkworkbench.mark(vkworkbench.analyze(small.document))
+        expected = {name: str(getattr(op, name)) for name in op.PropertiesList if name not in before}
+        op.removeProperty(name)
+        if kind:
+            op.addProperty(f"App::Property{kind}", name, "" if name == mark_properties.MARK else "Toolpath analysis")
+        watcher.check(small.document)
+        marks.is_outdated(op), marks.is_marked(op), marks.words_of(op), marks.read(op)
+        vkworkbench.mark(vkworkbench.analyze(small.document))
+        found = {name: str(getattr(op, name)) for name in op.PropertiesList if name not in before}
+        assert found == expected, (name, kind)
+        assert set(op.getEditorMode("Strategy")) == {"ReadOnly"} and op.Label2.count("⟦") == 1, (name, kind)
+        vkworkbench.clear(small.document)
+        assert (sorted(op.PropertiesList), op.Label2) == (before, ""), (name, kind)
 
 
 def test_property_of_the_operation_with_the_same_name_is_kept(small, zigzag_commands):

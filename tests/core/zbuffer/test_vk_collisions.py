@@ -189,13 +189,16 @@ def test_clamp_is_hit_by_every_operation():
 
 def reference(moves, tool, body_radius, bottom, before):
     """Return the depth of the collision of each move, computed on a height map in small steps."""
-    x, y = np.meshgrid(np.arange(0.1, 30, 0.2), np.arange(0.1, 20, 0.2))
-    height, depths = np.full(x.shape, 12.0), np.zeros(len(moves))
+    columns, rows = np.arange(0.1, 30, 0.2), np.arange(0.1, 20, 0.2)
+    heights, depths = np.full((len(rows), len(columns)), 12.0), np.zeros(len(moves))
+    reach = max(body_radius, tool.radius)
     for k, (start, end) in enumerate(zip(moves.points, moves.points[1:])):
         steps = int(np.ceil(np.linalg.norm(end - start) / 0.03))
         for share in np.linspace(0, 1, steps + 1):
             px, py, pz = start + share * (end - start)
-            away = np.hypot(x - px, y - py)
+            near = np.ix_(np.abs(rows - py) <= reach, np.abs(columns - px) <= reach)
+            height = heights[near]
+            away = np.hypot(columns[near[1]] - px, rows[near[0]] - py)
             hit = (away <= body_radius) & (height > pz + bottom)
             if not before:  # The flutes have already removed this material.
                 hit &= away > tool.radius
@@ -203,6 +206,7 @@ def reference(moves, tool, body_radius, bottom, before):
             height[hit] = pz + bottom
             inside = away <= tool.radius
             height[inside] = np.minimum(height[inside], pz)
+            heights[near] = height
     return depths
 
 

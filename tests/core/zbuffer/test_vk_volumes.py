@@ -77,10 +77,10 @@ def test_error_of_a_volume_is_at_least_the_volume_of_one_ray():
 
 
 @pytest.mark.long
-def test_volume_errors_hold_in_95_of_100_jobs():
+def test_volume_errors_hold_in_38_of_40_jobs():
     """Random slots in all directions, cut by flat tools, have exact volumes."""
     rng, inside = np.random.default_rng(2), 0
-    for _ in range(100):
+    for _ in range(40):
         diameter, depth = np.exp(rng.uniform(np.log(0.2), np.log(10))), rng.uniform(0.2, 2)
         angle, length = rng.uniform(0, pi), rng.uniform(1, 150)
         end = (300 + length * np.cos(angle), 200 + length * np.sin(angle), 2 - depth)
@@ -89,7 +89,7 @@ def test_volume_errors_hold_in_95_of_100_jobs():
         inside += abs(measured.each.sum() - depth * (length * diameter + pi / 4 * diameter**2)) <= measured.error(
             range(1)
         )
-    assert inside >= 95
+    assert inside >= 38
 
 
 def test_volume_of_two_cuts_in_a_cylinder_is_measured():

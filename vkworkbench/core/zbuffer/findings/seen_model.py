@@ -75,19 +75,19 @@ class SeenModel:
 
     def __init__(self, model: Solid, frame: Frame, going_on: Callable[[], None] = lambda: None) -> None:
         self.model, self.frame = model, frame
-        size = frame.height, frame.width
-        near, far, behind = np.full((3, *size), np.nan, np.float32)
+        near, far, behind = np.full((3, frame.height * frame.width), np.nan, np.float32)
         spans_of = spans_in(model, frame)
         for bottom in range(0, frame.height, _ROWS_AT_ONCE):
             going_on()
             rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
-            row, column = (index.ravel() for index in np.meshgrid(rows, np.arange(frame.width), indexing="ij"))
-            spans = spans_of(*frame.pixel_centres(column, row))
-            met = spans.far > spans.near
-            near[row[met], column[met]], far[row[met], column[met]] = spans.near[met], spans.far[met]
-            behind[row[met], column[met]] = spans.far[met]
+            first = bottom * frame.width  # number of the first pixel of these rows
+            spans = spans_of(*frame.pixel_centres(np.tile(np.arange(frame.width), len(rows)), rows.repeat(frame.width)))
+            met = np.flatnonzero(spans.far > spans.near)
+            near[first + met], far[first + met] = spans.near[met], spans.far[met]
+            behind[first + met] = spans.far[met]
             ray, gap = np.unique(spans.gaps.ray, return_index=True)
-            behind[row[ray], column[ray]] = spans.gaps.enter[gap]
+            behind[first + ray] = spans.gaps.enter[gap]
+        near, far, behind = (depths.reshape(frame.height, frame.width) for depths in (near, far, behind))
         self.near, self.far, self.behind = near, far, behind
         self.surface = np.where(np.isnan(near), np.float32(np.inf), near)
         highest, self._lowest = around(self.surface, np.minimum), around(self.surface, np.maximum)
