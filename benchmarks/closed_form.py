@@ -225,7 +225,8 @@ def _rows_area(t: _Trajectories, rows: np.ndarray, tool: Tool, stepover: float) 
     in_order, sorted_ = np.abs(np.diff(offset)), np.diff(np.sort(offset))
     passes = np.count_nonzero(in_order > _APART) + 1
     # If the rows are sorted by position, the rows of several pockets mix. If the rows are in the order of cutting,
-    # successive rows can be far apart. Both errors only make the step smaller, so the larger of the two steps is used.
+    # successive rows can be far apart. Both errors make the computed step too small, so the larger of the two steps is
+    # used.
     steps = [s.mean() for s in (x[(x > _APART) & (x <= tool.diameter + _APART)] for x in (in_order, sorted_)) if len(s)]
     step = min(float(max(steps)), tool.diameter) if steps else stepover
     along = float((t.run * t.share)[rows].sum())

@@ -81,7 +81,7 @@ class Remembered:
             Watched.readers.append(set())
             try:
                 result = self.function(*arguments, **options)
-                for name in ("loops", "phi_range"):  # computed at the first use of the attribute
+                for name in ("loops", "phi_range"):  # attributes that are computed at their first use
                     getattr(result, name, None)
             finally:
                 reads = Watched.readers.pop()

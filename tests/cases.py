@@ -7,7 +7,10 @@ import pytest
 
 
 def first_everywhere(cases, number=1):
-    """Return the cases as pytest's parameters. All but the first `number` are marked `long`. A tuple has several values."""
+    """Return the cases, which are values or tuples of several values, as pytest's parameters.
+
+    All but the first `number` are marked `long`.
+    """
     return [
         pytest.param(*(case if isinstance(case, tuple) else (case,)), marks=pytest.mark.long if place >= number else ())
         for place, case in enumerate(cases)

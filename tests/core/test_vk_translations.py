@@ -52,7 +52,7 @@ def messages(name):
 
 @pytest.mark.parametrize("name", ["VkWorkbench.ts", *(f"VkWorkbench_{language}.ts" for language in LANGUAGES)])
 def test_translation_sources_equal_texts_in_code(name, texts_of_code):
-    # If this fails, run resources/update_translations.sh.
+    # If this test fails, run resources/update_translations.sh.
     assert set(messages(name)) == {*texts_of_code, *texts_of_forms()}
 
 

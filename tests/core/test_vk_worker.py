@@ -93,7 +93,10 @@ def test_memory_of_a_worker_is_limited():
 
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of a process")
 def test_memory_limit_does_not_block_matrix_products():
-    """OpenBLAS would try forever to allocate its memory. The timer ends such a process, and the test fails."""
+    """OpenBLAS would try forever to allocate its memory.
+
+    The timer ends a process that tries forever, and the test fails.
+    """
     one = Worker(np.linalg.inv, 2e7)
     timer = threading.Timer(60, one.kill)
     timer.start()

@@ -499,7 +499,7 @@ def test_second_marking_restores_a_removed_text(small, zigzag_commands):
 
 def test_refresh_returns_whether_the_mark_has_changed(small, zigzag_commands):
     op = small.add("Zigzag", zigzag_commands)
-    assert not refresh(op, lambda _: ())  # False, because there is no mark yet
+    assert not refresh(op, lambda _: ())  # the update changes nothing, because there is no mark yet
     vkworkbench.mark(vkworkbench.analyze(small.document))
     _, setting = fingerprint.path_and_setting(marks.read(op).fingerprint)
     assert not refresh(op, lambda _: (setting,))

@@ -25,8 +25,8 @@ def test_new_user_can_follow_the_guide(example_path, tmp_path):
     (home / "run").mkdir(mode=0o700)
     environment = {**os.environ, "HOME": str(home), "XDG_RUNTIME_DIR": str(home / "run"), "QT_SCALE_FACTOR": "1"}
     environment.pop("PYTEST_ADDOPTS", None)
-    # The second FreeCAD needs its own screen. On the same screen it would wait for the clipboard of this FreeCAD, which
-    # waits for the second FreeCAD to end.
+    # The second FreeCAD needs its own screen. On the same screen, the second FreeCAD would wait for the clipboard of
+    # this FreeCAD, which waits for the second FreeCAD to end.
     screen = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -dpi 96 -ac"]
     # The output goes to the log of this layer of tests, in which tests/summary.py finds swallowed exceptions.
     command = [*screen, "freecad", str(example_path), str(TESTS / "stranger.py")]

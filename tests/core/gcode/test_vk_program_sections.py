@@ -377,7 +377,7 @@ def test_unnumbered_tool_list_describes_later_tools():
 def test_tool_size_in_the_comment_after_its_heading_is_read():
     """pcb-gcode writes "Tool Size" before the number.
 
-    This comment describes the tool, and is not the title of an operation.
+    The comment before the tool change describes the tool, and is not the title of an operation.
     """
     assert sections(f"(  Tool Size)\n(0.1778 )\n(spindle speed = 12000)\n{CUT}") == [("", None, 0.1778)]
     assert sections(f"(0.1778)\n{CUT}") == [("", None, None)]
@@ -498,7 +498,10 @@ def test_sheetcam_title_before_the_tool_change_is_read():
 
 
 def test_comment_in_the_line_of_a_move_is_not_a_title():
-    """A comment in the line of a move describes the move. Only a tool description in such a comment is used."""
+    """A comment in the line of a move describes the move.
+
+    From a comment in a move's line, only the description of a tool is used.
+    """
     text = "(FACE TOP)\nT2 M6 (6 mm end mill)\nG0 X0 Y0 S1200 M3 (H1)\nG1 Z-1 F100\nX50\nG0 Z5 M5 (back off and stop)\nG1 X0\n"
     assert sections(text) == [("FACE TOP", 2, 6)]
 

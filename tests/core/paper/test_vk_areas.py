@@ -14,7 +14,12 @@ from vkworkbench.core.paper import monotonous_areas, paper_verdict
 SLOT = [(0.0, 0.0), (30.0, 0.0), (0.0, 0.0), (30.0, 0.0), (30.0, 5.0)]
 # The square is closed except for a gap of 0.4 mm, like a contour after a lead-in.
 SQUARE = [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0), (0.0, 0.4)]
-ROW = [(0.0, 0.0), (20.0, 0.0), (20.0, 0.4), (0.0, 0.4)]  # The gap is also 0.4 mm, but the enclosed area is tiny.
+ROW = [
+    (0.0, 0.0),
+    (20.0, 0.0),
+    (20.0, 0.4),
+    (0.0, 0.4),
+]  # This path has the same gap of 0.4 mm, but encloses only a tiny area.
 
 
 def areas_of(*strokes):

@@ -78,7 +78,10 @@ def test_arc_repeated_at_another_depth_adds_no_step():
 
 @pytest.mark.parametrize(("climb", "spirals"), [(0.1, False), (0.2, True), (-0.2, True)])
 def test_arc_with_growing_radius_is_part_of_a_spiral(climb, spirals):
-    """The radius grows by 0.1 or 0.2 mm per quarter turn, which is 0.4 or 0.8 mm per turn. The steps are 2 mm."""
+    """The radius grows by 0.1 or 0.2 mm per quarter turn, which is 0.4 or 0.8 mm per turn.
+
+    Neighbouring arcs are 2 mm apart.
+    """
     # The arcs are spread over the full circle, because arcs on one side would also fit circles around another centre.
     arcs = found([10, 12, 14, 16], climb=climb, turned=QUARTER)
     assert arcs.spiral == pytest.approx(arcs.length if spirals else 0)

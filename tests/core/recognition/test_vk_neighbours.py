@@ -99,7 +99,7 @@ def test_passes_that_spread_like_a_fan_are_not_even():
 
 @pytest.mark.parametrize("opens, even", [(0.6, 1), (0.9, 0)])
 def test_distance_of_even_offsets_varies_by_at_most_30_percent(opens, even):
-    """The mean distance is 2 mm.
+    """The mean distance between the offsets is 2 mm.
 
     The difference between the 10th and 90th percentile of the distance is 0.8 * `opens`.
     """
@@ -120,7 +120,7 @@ def test_short_stroke_is_not_neighbour_of_far_long_stroke():
     assert neighbours(strokes, 0.0) is None
 
 
-def test_three_strokes_side_by_side_are_enough():
+def test_three_strokes_side_by_side_are_neighbours():
     """Two of the three strokes have a neighbour that was cut before."""
     assert neighbours([line(2.0 * k) for k in range(3)]).count == 3
 

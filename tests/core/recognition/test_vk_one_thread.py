@@ -13,7 +13,8 @@ pytestmark = pytest.mark.sources
 CORE = Path(__file__).parents[3] / "vkworkbench" / "core"
 SOURCES = [*(p for room in ("gcode", "paper", "recognition") for p in (CORE / room).rglob("*.py")), *CORE.glob("*.py")]
 BLAS = {"dot", "vdot", "inner", "matmul", "tensordot", "linalg", "polyfit", "corrcoef", "cov", "convolve", "correlate"}
-# Recognition does not use solids and views. Their matrix products (3 numbers) are too small for threads.
+# Recognition does not use solids and views. The matrix products for solids and views (3 numbers) are too small for
+# threads.
 OTHER = {"solids.py", "stocks.py", "view.py"}
 
 

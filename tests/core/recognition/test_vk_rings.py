@@ -145,7 +145,7 @@ def test_rings_of_a_pocket_at_two_depths_are_not_stacked():
     assert (rings.depths, rings.distinct, rings.depth_range, rings.evenness) == (2, 5, 2.0, 0.0)
 
 
-def test_contours_repeat_at_depth_even_if_one_has_no_repeat():
+def test_contours_are_repeated_even_if_one_has_no_repeat():
     rings = rings_of(
         [polygon(20, x=x, z=z) for z in (0, -2) for x in (0, 100, 200, 300, 400, 500)] + [polygon(20, x=900)]
     )
@@ -372,7 +372,7 @@ def test_evenness_is_ratio_of_spreads_in_plane_and_in_depth():
     assert evenness(even, uneven) < 0.1 and evenness(uneven, even) > 10
     assert evenness(even, 3 * even) == pytest.approx(1.0)
     assert evenness(even, np.zeros(9)) == evenness(even[:2], uneven[:2]) == 0.0
-    # The 10th and the 90th percentile differ by 3.2 mm, and the median is 3 mm.
+    # The 10th and the 90th percentile of the steps differ by 3.2 mm, and their median is 3 mm.
     assert evenness(uneven, even) == pytest.approx((3.2 / 3 + 0.01) / 0.01)
 
 

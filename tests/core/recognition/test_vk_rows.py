@@ -311,7 +311,7 @@ def test_walls_of_a_contour_are_not_rows(period, walls):
         (1150.0, {"typical": 7.4}, False),
     ],
 )
-def test_crossed_rows_with_no_neighbour_cut_next_are_a_grid(length, changed, grid):
+def test_crossed_rows_are_a_grid_without_neighbours_cut_next(length, changed, grid):
     alone = {"opposite": 0.0}
     families = [replace(GOOD, **alone), replace(ACROSS, **alone, **changed)]
     assert filling(families, TOOL, length=length, contour=False) == (families if grid else [])

@@ -70,7 +70,7 @@ def test_loops_of_a_section_are_rings_and_zigzags_are_rows():
 
 @pytest.mark.parametrize("side, rings", [(1.0, [0]), (1.5, [0, 1])])
 def test_rings_shorter_than_a_fiftieth_of_the_longest_are_leads(side, rings):
-    """A fiftieth of the longest ring, 240 mm, is 4.8 mm. The short rings have 4 and 6 mm."""
+    """A fiftieth of the longest ring, 240 mm, is 4.8 mm. The two short rings are 4 and 6 mm long."""
     found = section(polygon(60), polygon(side, x=100))
     assert found.rings.index.tolist() == rings == np.flatnonzero(found.ring_pieces).tolist()
     assert not found.row_pieces.any()

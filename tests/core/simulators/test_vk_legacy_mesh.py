@@ -121,7 +121,7 @@ def test_map_after_the_last_part_of_a_path_is_the_final_map():
     parts, _ = heightmaps(path, tool=ball, stock=STOCK, parts=5)
     assert len(parts) == 5
     assert all((after <= before).all() for before, after in zip(parts, parts[1:]))
-    assert np.abs(parts[-1] - whole).max() < 0.05  # The points at which two parts meet are sampled twice.
+    assert np.abs(parts[-1] - whole).max() < 0.05  # Points at the border between two parts are sampled twice.
 
 
 def test_map_after_a_part_of_a_path_excludes_the_next_part():

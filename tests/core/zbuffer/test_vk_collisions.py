@@ -200,7 +200,7 @@ def reference(moves, tool, body_radius, bottom, before):
             height = heights[near]
             away = np.hypot(columns[near[1]] - px, rows[near[0]] - py)
             hit = (away <= body_radius) & (height > pz + bottom)
-            if not before:  # The flutes have already removed this material.
+            if not before:  # The flutes have removed the material inside their radius.
                 hit &= away > tool.radius
             depths[k] = max(depths[k], (height[hit] - pz - bottom).max(initial=0.0))
             height[hit] = pz + bottom

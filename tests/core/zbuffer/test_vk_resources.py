@@ -397,7 +397,7 @@ def test_speed_is_computed_from_measured_times():
 def test_speed_is_measured_in_runs_below_a_tenth_of_a_second(monkeypatch):
     """Each run uses only this process and an image of whole tiles, and takes below 0.1 s at the default speed.
 
-    The work of each run is an input of the fit.
+    The work of each timed simulation is an input of the fit.
     """
     runs, works = [], []
     monkeypatch.setattr("vkworkbench.core.zbuffer.cost.speed.steady_seconds", lambda pieces, **_: runs.extend(pieces))
@@ -485,7 +485,7 @@ def test_job_memory_has_largest_temporary_arrays_and_all_traces():
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
 
     def needed(*estimates):
-        # This is the memory for an image of one pixel.
+        # The peak memory is the memory for an image of one pixel.
         return best_resolution(estimates, memory_bytes=1.0).memory_bytes
 
     assert needed(small, large) == needed(large, small)

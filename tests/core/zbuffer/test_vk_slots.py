@@ -99,7 +99,10 @@ def test_ball_end_slot_equals_many_positions(move, tilt):
 @pytest.mark.parametrize("slot, fall", [(ball_slot, 0.0), (ball_slot, -30.0), (sloped_slot, -30.0)])
 @pytest.mark.parametrize("tilt", TILTS)
 def test_move_nearly_along_a_ray_is_cut_like_a_parallel_move(slot, fall, tilt):
-    """In an isometric view, many moves at 45 degrees are nearly parallel to the rays. The large tool bounds a tile."""
+    """In an isometric view, many moves at 45 degrees are nearly parallel to the rays.
+
+    The large tool is an upper bound for the tools over a tile.
+    """
     rng, radius, run = np.random.default_rng(7), 40.0, 187.2
     rays = rng.uniform([[-36], [-30], [0]], [[36], [run + 30], [40]], (3, 4000))
     every = np.ones(rays.shape[1])

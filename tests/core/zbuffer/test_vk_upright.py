@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bounds of the depths that a move cuts in a square seen from above, compared with many positions of the tool.
 
-A bound that is too deep costs time, and a bound that is too shallow loses a cut. The tests find bounds of both kinds.
+A bound that is too deep costs time, and a bound that is too shallow loses a cut. The tests find bounds that are too
+deep and bounds that are too shallow.
 """
 
 from __future__ import annotations
@@ -63,8 +64,8 @@ def test_depth_bounds_of_a_square_hold_for_all_its_points(tool, slope):
     assert inside > 3
 
 
-# On slopes, the bounds are exact only for these tools. The shapes of other tools have several parts, or a tip blunter
-# than the slope.
+# On slopes, the bounds are exact only for tools of one shape: flat, ball, or a cone steeper than the slope. The shapes
+# of other tools have several parts, or a tip blunter than the slope.
 SIMPLE = [
     (tool, slope)
     for tool in FORMS

@@ -54,7 +54,7 @@ def test_path_without_moves_leaves_one_dexel_per_pixel():
 
 @pytest.mark.parametrize("tool", TOOLS, ids=lambda t: t.shape)
 def test_slot_seen_from_above_has_the_area_of_a_stadium(tool):
-    # At this depth, every tip cuts at its full width.
+    # At this depth, the tip of every tool cuts at its full width.
     z = cut([(10, 15, 4), (30, 15, 4)], tool)
     assert area(z) == pytest.approx(6 * 20 + pi * 9, rel=0.005)
     assert z.dexels == z.frame.width * z.frame.height

@@ -227,8 +227,8 @@ def _without_air(
     air[:-1] &= fast[:-1] | ~(onward & (z[after] < z[before + 1] - MOVES.STILL))
     air &= rises | falls
     several = np.flatnonzero(air & (last > start))
-    # A link is straight in all its moves. Its first and last move alone do not show this, because an area of several
-    # rows can also begin and end with moves in the same direction.
+    # A link is straight in all its moves. The first and last move of a link alone do not show this, because an area of
+    # several rows can also begin and end with moves in the same direction.
     if len(several):
         ways = np.column_stack([a[several], b[several] + 1]).ravel()
         x, y, way = (np.add.reduceat(v, ways[ways < len(v)])[::2] for v in (steps.dx, steps.dy, length))

@@ -30,8 +30,8 @@ class Motions:
 def motions(toolpath: Toolpath) -> Motions:
     """Join the chords of each arc, and replace each drilling cycle by the three motions that both simulators make.
 
-    Arcs in the ZX and YZ planes remain chords. The simulators read these arcs as arcs in the XY plane and draw them
-    wrongly.
+    Arcs in the ZX and YZ planes remain chords. The simulators read arcs in the ZX and YZ planes as arcs in the XY plane
+    and draw them wrongly.
 
     Parameters
     ----------

@@ -29,7 +29,8 @@ class Task:
     toolpath : Toolpath
     tool : Tool or None
         The tool; if tool or stock is unknown, no cost is predicted. FreeCAD's legacy simulator also cuts with a shank
-        that is wider than the cutting edge. For such a tool, give the diameter of the shank as the tool's diameter.
+        that is wider than the cutting edge. FreeCAD's legacy simulator cuts with a shank that is wider than the cutting
+        edge, so for such a tool, give the diameter of the shank.
     stock : Solid or None
     words : Words or None
         Words of the operation's commands, in which the warnings search for commands that a simulator handles wrongly.

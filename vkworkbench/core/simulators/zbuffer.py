@@ -85,7 +85,7 @@ def finest_image(costs: Sequence[Estimate], **asked: Any) -> Resolution:
 def most_bytes(task: Task, conditions: Conditions) -> float:
     """Return an upper bound of an operation's memory, bytes.
 
-    This upper bound takes much less time to compute than an estimate.
+    The upper bound of the memory takes much less time to compute than an estimate.
     """
     tool, stock = task.cutting
     return most_bytes_of(task.toolpath, tool=tool, stock=stock, view=conditions.view)

@@ -107,8 +107,8 @@ def calibrate(going_on: Callable[[], object] = lambda: None) -> Calibration:
     Parameters
     ----------
     going_on : callable
-        Called every tenth of a second. If this function raises, the measurement ends, and the earlier calibration
-        stays.
+        Called every tenth of a second. If `going_on` raises an exception, the measurement ends, and the earlier
+        calibration stays.
 
     Raises
     ------

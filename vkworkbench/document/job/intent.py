@@ -23,8 +23,9 @@ _PATTERNS = {
     "Circular": _ALONG, "CircularZigZag": {Family.ROWS}, "Grid": {Family.ROWS}, "Line": {Family.ROWS}, "Offset": _ALONG,
     "Spiral": _ALONG, "Triangle": {Family.ROWS}, "ZigZag": {Family.ROWS}, "ZigZagOffset": {Family.ROWS, Family.AROUND},
 }  # fmt: skip
-# Minimum number of rows or loops for a contradiction, except for operations that drill holes. Lower: correct operations
-# are reported, because in a pocket about as wide as the tool every pattern gives one line or one loop.
+# Minimum number of rows or loops for a contradiction, except for operations that drill holes. With a lower value,
+# correct operations are reported, because in a pocket about as wide as the tool every pattern gives one line or one
+# loop.
 MIN_PASSES = 3
 # Strategies that never contradict a pattern. In narrow places, about as wide as the tool, every pattern gives a loop, a
 # line or short strokes.

@@ -52,7 +52,10 @@ class ShapeCache:
         self._found: list[tuple] = []
 
     def of(self, shape, find: Callable):
-        """Return the result for a shape. If it is not in the cache, ``find()`` computes it."""
+        """Return the cached result for a shape.
+
+        If the result for the shape is not in the cache, ``find()`` computes it.
+        """
         for at, (kept, _) in enumerate(self._found):
             if kept.isSame(shape):
                 self._found.append(self._found.pop(at))
@@ -183,7 +186,7 @@ def exact_box(shape) -> tuple[tuple, tuple]:
 
 
 def _corners(shape) -> tuple[tuple, tuple]:
-    if not shape.BoundBox.isValid():  # true for a compound without shapes
+    if not shape.BoundBox.isValid():  # a compound without shapes has no box
         raise Unusable(Message("stock-without-volume"))
     box = shape.optimalBoundingBox(False)
     return (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)

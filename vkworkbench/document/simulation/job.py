@@ -39,7 +39,7 @@ class SimulatedJob:
 
     operations: tuple[SimulatedOperation, ...]  # the operations, in the order of their job
     cuts: tuple[Cut, ...]  # toolpaths and tools of the operations
-    # The toolpaths with the feeds as FreeCAD's import leaves them. The recognition uses these toolpaths.
+    # The toolpaths with the feeds as FreeCAD's import leaves them. The recognition uses the toolpaths as read.
     as_read: tuple[Toolpath, ...]
     listings: tuple[Listing, ...]  # G-code of the operations
     stock: Solid
@@ -58,7 +58,7 @@ class SimulatedJob:
 
     @cached_property
     def model(self) -> Solid | None:
-        """The model of the job; None if the job has no closed model. Computed at the first use."""
+        """The model of the job; None if the job has no closed model. The model is computed at the first use."""
         return model_solid(self.model_shapes)
 
     @cached_property

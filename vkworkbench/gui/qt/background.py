@@ -74,7 +74,7 @@ class Background(QObject):
             Called in Qt's main thread with each result.
         ended : callable
             Called at the end with None, with `Cancelled` if the user cancelled the task, or with the exception that
-            ended the task. Not called after `give_up`.
+            ended the task. The function is not called after `give_up`.
         """
         self.give_up()
         given_up, results = threading.Event(), SimpleQueue()
@@ -168,7 +168,7 @@ class Busy(QWidget):
     Parameters
     ----------
     background : Background
-        The tasks to show. The line is hidden while no task runs.
+        The tasks to show. While no task runs, the line with the running task is hidden.
     """
 
     def __init__(self, background: Background) -> None:

@@ -80,7 +80,7 @@ def test_o_words_are_executed_as_linuxcnc_executes_them(case):
     assert xs(f"{HEAD}{text}\n") == expected and said(f"{HEAD}{text}\n") == []
 
 
-# The values are computed by hand.
+# The expected values are computed by hand.
 FANUC = {
     "goto": ("X1\nGOTO 20\nX2\nN20 X3\nM30", "", [1, 3]),
     "goto back": ("#1=0\nN5 #1=#1+1\nX#1\nIF[#1 LT 3]GOTO 5\nX9\nM30", "", [1, 2, 3, 9]),

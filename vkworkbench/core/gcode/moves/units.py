@@ -26,7 +26,7 @@ IMPORTED_SLOW = 300.0  # SLOW for toolpaths from FreeCAD's import, which reads m
 # (15 m/min), but even fewer programs cut more slowly than 250 mm/min throughout.
 PER_MINUTE = 250.0
 # If the longer side of the cuts, mm, reaches this limit, the words can be increments of 0.001 mm. If the limit is
-# lower, large parts in whole millimetres are read as increments. If the limit is higher, small parts in increments are
+# lower, large parts in whole millimetres are read as increments. If this limit is higher, small parts in increments are
 # missed.
 LONG = 5000.0
 TOOLS = 4.0  # times the tool's diameter; if the cuts are larger than this, lengths were probably read in the right unit

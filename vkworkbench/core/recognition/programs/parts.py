@@ -156,7 +156,7 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
 def _odds_of_difference(one: Recognition, other: Recognition) -> float:
     """Return the odds that two sections of a program are different operations.
 
-    The odds are 0 if both strategies can occur in one operation.
+    If both strategies can occur in one operation, the odds are 0.
     """
     if not (one.strategy.is_answer and other.strategy.is_answer):
         return 0.0

@@ -70,8 +70,8 @@ class Recognition:
     milling : str or None
         "climb" or "conventional" for nested loops cut by a spindle that turns clockwise (M3).
     entry : str or None
-        Kind of the tool's entry into the material: "plunge", "ramp", "zigzag ramp" or "helix". None if the descent is
-        the operation itself, and for mixed operations.
+        Kind of the tool's entry into the material: "plunge", "ramp", "zigzag ramp" or "helix". The value is None if the
+        descent is the operation itself, and for mixed operations.
     finishing : bool
         Whether a contour around the rows, or after adaptive clearing, finishes the walls.
     paper : PaperVerdict or None
