@@ -31,8 +31,8 @@ from vkworkbench.core.zbuffer import Cut, memory_needed
 from vkworkbench.core.zbuffer.rays.removal import Removal
 from vkworkbench.core.zbuffer.sweeps.cuts import Cuts
 
-# Maximum number of pairs of a pixel and a trajectory in a simulation without culling. Higher: the benchmark takes
-# minutes per toolpath.
+# Maximum number of pairs of a pixel and a trajectory in a simulation without culling. With a higher number, the
+# benchmark takes minutes per toolpath.
 MOST_TRIED = 50e6
 # Number of rows of pixels that are cut in one batch, and side of the squares, in pixels, by which the pixels of a batch
 # are sorted so that neighbours are close in memory.

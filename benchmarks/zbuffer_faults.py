@@ -142,7 +142,8 @@ class Job:
             "holder_diameter": 3 * thickest,
             "holder_length": 30.0,
         }
-        # A height between two depths of cut. A shank or holder that begins at this height collides at the lower depth.
+        # A height between two depths of cut. A shank or holder whose lower end is at this height collides at the lower
+        # depth.
         deep = int(rng.integers(1, len(layers)))
         between = self.top - (layers[deep - 1] + layers[deep]) / 2
         if fault == "shank":

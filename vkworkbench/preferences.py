@@ -287,7 +287,7 @@ def observe(changed: Callable[[str], None]) -> None:
 
     group, observer = FreeCAD.ParamGet(GROUP), Observer()
     group.Attach(observer)
-    _observers.append((group, observer))  # keeps the group and the observer alive, because FreeCAD does not
+    _observers.append((group, observer))  # the list keeps the group and the observer alive, because FreeCAD does not
 
 
 _observers: list = []

@@ -61,7 +61,7 @@ def test_fingerprint_of_a_path_changed_meanwhile_is_not_stored(small, zigzag_com
 
 
 def test_two_computations_store_one_fingerprint(small, zigzag_commands, prints):
-    """Otherwise an analysis and the comparison of a mark would restart each other's computation of a fingerprint."""
+    """If a second computation replaced the first, an analysis and the comparison of a mark would restart each other's computation."""
     op = small.add("One", zigzag_commands)
     whose, first, second = (op.Document.Name, op.Name), prints.begin(op), prints.begin(op)
     prints.end(whose, first, "f")

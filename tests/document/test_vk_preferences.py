@@ -54,7 +54,7 @@ def test_default_preferences_match_the_documents():
     """
     The defaults are the paper's image size, the memory budget of docs/cost.md and a time budget of ten minutes.
 
-    The simulators of FreeCAD have their best accuracy.
+    By default, the simulators of FreeCAD have their best accuracy.
     """
     chosen = Preferences()
     assert (chosen.image_width, chosen.image_height) == (800, 600)

@@ -87,7 +87,7 @@ def test_keep_faults_returns_whether_the_faults_are_new(small):
     first, second = read_job(small.job).operations
     crash, other = [(1, CRASH)], [(2, CRASH)]
     assert not keep_faults({first: [], second: []})
-    assert keep_faults({first: crash, second: []})  # true, because the first operation has a new fault
+    assert keep_faults({first: crash, second: []})  # the result is true, because the first operation has a new fault
     assert not keep_faults({first: crash, second: []})
     assert keep_faults({first: crash, second: other}) and keep_faults({first: other, second: other})
     assert keep_faults({first: [], second: other}) and not keep_faults({second: other})

@@ -89,7 +89,7 @@ def _total_row(t: Total, operations: Sequence[OperationReport], simulator: str) 
 
 
 def _is_measured(o: OperationReport) -> bool:
-    """Return whether the cutting length is known. A known length can be 0."""
+    """Return whether the cutting length is known. A length of 0 can be known, too."""
     return bool(o.length) or o.machining.cutting_seconds is not None
 
 

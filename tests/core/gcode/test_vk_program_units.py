@@ -60,7 +60,7 @@ def test_fast_or_large_toolpath_does_not_look_like_inches():
         ({}, False, True),
         ({"width": 14.5}, False, True), ({"width": 16.0}, False, False),  # Read as inches, the part would be too large.
         ({"lift": 3.0}, False, True), ({"lift": 4.0}, False, False),  # Read as inches, the lift would be too high.
-        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # A feed of 300 inches a minute would be fast.
+        ({"feed": 4.5}, False, True), ({"feed": 5.5}, False, False),  # Read as inches, the feed would be too fast.
         ({"feed": 290.0}, True, True), ({"feed": 310.0}, True, False),  # FreeCAD's import stores mm/min as mm/s.
     ],
 )  # fmt: skip

@@ -79,7 +79,7 @@ def test_v_k_that_swings_back_has_no_sense_of_rotation():
 @pytest.mark.parametrize("share, sense", [(0.008, "ccw"), (0.015, None)])
 def test_v_k_that_turns_back_by_1_percent_has_no_rotation_sense(share, sense):
     """The direction of V_k turns by two radians in total. A `share` of the turns of V_k goes back."""
-    back = 2 * share / (1 - 2 * share)  # The angles add up to 2 + 2 * back, in rad.
+    back = 2 * share / (1 - 2 * share)  # In total, the directions turn by 2 + 2 * back, in rad.
     angles = [0.5, 1.0, 1.5, 1.5 - back, 2.0, 2.5]
     found = verdict([(0, 0), *((20 * np.cos(angle), 20 * np.sin(angle)) for angle in angles)])
     assert found.sense == sense

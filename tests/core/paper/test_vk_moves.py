@@ -60,7 +60,7 @@ def test_first_plunge_is_not_an_area():
 
 @pytest.mark.parametrize("drop, cuts", [(0.0, 1), (-80.0, 1), (-120.0, 0)])
 def test_slope_of_at_most_five_in_one_is_a_move_and_not_a_plunge(drop, cuts):
-    # The move has 20 mm in the XY plane. A move with a descent of at most 100 mm is a slope, and not a plunge.
+    # In the XY plane, the move is 20 mm long. A move with a descent of at most 100 mm is a slope, and not a plunge.
     assert len(areas_of(*feed((0, 0, 0), (12, 16, drop)))) == cuts
 
 
@@ -159,7 +159,7 @@ def test_fast_feed_at_the_top_beside_a_rapid_is_a_link(height, air):
     up = [rapid(0, 2, height), *feed((20, 2, height)), rapid(40, 2, height), rapid(40, 2, 20)]
     assert sizes(areas_of(*cut, *up)) == ([3] if air else [3, 1])
     lifted = [*cut, *feed((0, 2, 20)), rapid(20, 2, 20), *feed((40, 2, 20))]
-    if air:  # The move is also a link if the lift before it is at feed.
+    if air:  # A move is a link, too, if the lift before it is at feed.
         assert sizes(areas_of(*lifted, *down)) == [3, 1]
         first = [rapid(0, 0, 20), *feed((20, 0, 20)), rapid(20, 0, -1), *feed((40, 0, -1))]
         assert sizes(areas_of(*first)) == [1]

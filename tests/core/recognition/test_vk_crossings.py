@@ -56,7 +56,7 @@ def test_measures_of_rows_side_by_side_match_expected_values(commands, way):
 def test_rows_at_two_depths_are_compared_at_each_depth():
     """Seen from above, every second crossing of a scan line coincides with the previous crossing.
 
-    Distances of 0 are left out.
+    Distances of 0 between crossings are left out.
     """
     crossings, level, plan = told(programs.one_way(ROWS, 50.0, STEP, depths=(0.0, -1.0)))
     assert crossings == pytest.approx(2 * ROWS)

@@ -45,7 +45,7 @@ def test_loops_of_both_senses_have_no_milling_direction():
 def test_growing_and_shrinking_loops_have_no_milling_direction():
     """One nest of loops is cut outward, and one inward.
 
-    Their lengths are equal, and all loops run counter-clockwise.
+    Both nests have equal lengths, and all loops run counter-clockwise.
     """
     sides = [20 + 6 * k for k in range(8)]
     strokes = [polygon(side) for side in sides] + [polygon(side, x=200.0) for side in sides[::-1]]

@@ -330,7 +330,7 @@ def test_contour_around_rows_finishes_their_walls():
     assert borders(contour(-1.0), 0.4) == []
     # The retract is a border of operations, because its own probability is above the limit.
     assert borders(contour(-1.0), 0.6) == at
-    assert borders(contour(-2.0), 0.4) == at  # The contour is deeper.
+    assert borders(contour(-2.0), 0.4) == at  # The contour after the retract is deeper.
     assert borders(contour(-1.0, out=9.0), 0.4) == at  # The contour is around another area.
 
 

@@ -116,7 +116,10 @@ def test_rings_with_three_common_sides_are_not_nested():
 
 @pytest.mark.parametrize("left, nested", [(0.9, False), (1.1, True)])
 def test_each_side_of_an_offset_moves_by_at_least_half_the_step(left, nested):
-    """The left side moves by 0.9 or 1.1 mm, the other sides by 2.4 mm. The mean distance is 2.03 or 2.08 mm."""
+    """The left side moves by 0.9 or 1.1 mm, the other sides by 2.4 mm.
+
+    The mean distance of the four sides is 2.03 or 2.08 mm.
+    """
     assert rings_of([polygon(40), box(left, 2.4, 2.4, 2.4)]).nested.tolist() == [nested] * 2
 
 

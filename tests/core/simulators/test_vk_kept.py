@@ -16,7 +16,7 @@ from vkworkbench.core.simulators.zbuffer import ZBufferCost
 STOCK = Stock((0, 0, 0), (60, 40, 20))
 ROWS = [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 5.0})]
 ROWS += [("G1", {"X": 5.0 + 50 * (i % 4 in (0, 1)), "Y": 5.0 + 2 * ((i + 1) // 2)}) for i in range(20)]
-OWN = Constants(start=0.5, draw=2e-6)  # These constants stand for the measured speed of a computer.
+OWN = Constants(start=0.5, draw=2e-6)  # The constants stand for the measured speed of a computer.
 
 
 @pytest.fixture(scope="module")

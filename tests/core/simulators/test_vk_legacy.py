@@ -57,11 +57,11 @@ def test_play_shows_the_mesh_as_it_grows():
         deeper += [("G1", {"Z": float(z)}), ("G2", {"X": 50.0, "Y": 40.0, "I": 15.0, "J": 10.0})]
         deeper += [("G2", {"X": 20.0, "Y": 20.0, "I": -15.0, "J": -10.0})]
     mean, last = mean_facets(deeper)
-    assert mean == pytest.approx(last, rel=0.15)  # The walls of the pocket exist after the first turn.
+    assert mean == pytest.approx(last, rel=0.15)  # The walls of the pocket exist after the first turn around it.
     facing = [("G0", {"X": -5.0, "Y": -5.0, "Z": 10.0})]
     facing += [("G1", {"X": 105.0 if k % 4 in (1, 2) else -5.0, "Y": 5.0 * (k // 2) - 5}) for k in range(1, 30)]
     mean, last = mean_facets(facing)
-    assert last == 12 and mean > 50  # The mesh after the last turn is flat.
+    assert last == 12 and mean > 50  # The mesh after the last move is flat.
 
 
 def test_grid_has_a_thousand_cells_of_five_bytes_along_a_side():

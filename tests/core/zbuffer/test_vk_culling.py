@@ -174,7 +174,7 @@ def test_small_tiles_cover_a_sloped_and_a_level_slot():
 
 @pytest.mark.parametrize("slots", [1, 20])
 def test_each_trajectory_is_tested_once_per_tile_of_every_size(slots):
-    """Each slot is deeper than the slot before, and covers 64 x 64 pixels. The tests of 20 slots exceed one batch.
+    """Each slot is deeper than the slot before, and covers 64 x 64 pixels. The 20 slots need more tests than one batch has.
 
     Each slot is tested with the four quarters of 1, 4, 16, 64 and 256 tiles, and then with 64 by 64 pixels.
     """

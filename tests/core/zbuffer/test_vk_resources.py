@@ -479,13 +479,13 @@ def test_operations_of_a_job_share_one_stock():
 def test_job_memory_has_largest_temporary_arrays_and_all_traces():
     """Temporary arrays of 1 and 3 GB need 3 GB, because only one is held at a time.
 
-    Trajectories, dexels and traces are added.
+    The memory for trajectories, dexels and traces is added up.
     """
     found = estimate(*PATHS["zigzag"][:1], None, tool=FLAT, stock=STOCK, view=View())
     small, large = (replace(found, peak=replace(found.peak, work=work)) for work in (1e9, 3e9))
 
     def needed(*estimates):
-        # The peak memory is the memory for an image of one pixel.
+        # With a budget of one byte, the result has the memory for an image of one pixel.
         return best_resolution(estimates, memory_bytes=1.0).memory_bytes
 
     assert needed(small, large) == needed(large, small)

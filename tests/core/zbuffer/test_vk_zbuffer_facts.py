@@ -240,7 +240,7 @@ def test_rapid_along_round_groove_is_not_a_crash(name, direction, tolerance):
         return path.part(0, 2 + chords)
 
     groove, stock = arc(10, -2, 0.0, 4), Stock((-15, -15, -5), (15, 15, 0))
-    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # The place is relative to the middle of the stock.
+    place = np.array([10 * cos(0.2), 10 * sin(0.2), 1.5])  # The point is relative to the middle of the stock.
     axes = View(direction).frame(stock)
     view = View(direction, 200, 150, pixel=0.05, offset=(place @ axes.right, place @ axes.up))
 

@@ -75,7 +75,7 @@ def test_crash_is_found_with_its_command_depth_and_place():
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (0, 0, 1), (0, 1, -1), (0, 1, 0)])
-def test_a_crash_is_found_from_any_side(direction):
+def test_crash_is_found_from_any_direction_of_the_view(direction):
     crash = path([(-5, 15, 12), (-5, 15, 5), (45, 15, 5), (45, 15, 12)], rapid=[1])
     (one,) = told(SOUND, crash, model=None, view=View(direction, 210, 160)).job.crashes
     assert one.trajectory == len(SOUND) + 1 and abs(one.place[1] - 15) < 3 and 5 < one.place[2] < 8

@@ -85,7 +85,7 @@ def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     Parameters
     ----------
     going_on : callable
-        Called every tenth of a second during a measurement. If this function raises, the measurement ends.
+        Called every tenth of a second during a measurement. If `going_on` raises an exception, the measurement ends.
     """
     if FreeCAD.GuiUp or load() is not None:
         return known_speed()

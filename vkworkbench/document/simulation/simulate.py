@@ -57,7 +57,8 @@ def simulate(
     memory_budget : float, optional
         Upper bound for the memory, bytes. None stands for the budget in the preferences.
     going_on : callable, optional
-        Called many times a second with the completed share, 0 to 1. If this function raises, the simulation ends.
+        Called many times a second with the completed share, 0 to 1. If `going_on` raises an exception, the simulation
+        ends.
 
     Returns
     -------

@@ -68,8 +68,8 @@ class Background(QObject):
         text : str
             Description of the task.
         work : callable
-            Generator function that yields results. Its argument is a function that raises `Cancelled` after a cancel.
-            The generator runs in another thread, so it must use neither documents nor the window.
+            Generator function that yields results. The function receives a function that raises `Cancelled` after a
+            cancel. The generator runs in another thread, so it must use neither documents nor the window.
         show : callable
             Called in Qt's main thread with each result.
         ended : callable

@@ -55,7 +55,10 @@ class Row:
 
     @property
     def machining_complete(self) -> bool:
-        """Whether the machining time includes all moves. If not, the machining time is a lower bound."""
+        """Whether the machining time includes all moves.
+
+        If the result is False, the machining time is a lower bound.
+        """
         return self.found.machining_complete if self.is_total else not self.found.left_out
 
     @property

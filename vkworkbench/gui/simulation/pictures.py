@@ -232,7 +232,7 @@ class Pictures(QObject):
         return not (self._changed or self._background.works or self._rest.isActive() or self._smoothing.works)
 
     def draw(self) -> None:
-        """Request a new picture. The next call of `begin` begins it if no other picture is being drawn."""
+        """Request a new picture. The next call of `begin` begins the picture if no other picture is being drawn."""
         self._changed = True
         self._rest.stop()
         self._smoothing.give_up()

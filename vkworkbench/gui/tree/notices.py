@@ -17,8 +17,8 @@ from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS, OperationReport, contradiction, is_switched_off
 
-# Codes of remarks on problems that do not prevent an estimate of the simulation's cost. These remarks are warnings even
-# if the cost is unknown for another reason.
+# Codes of remarks on problems that do not prevent an estimate of the simulation's cost. The remarks with these codes
+# are warnings even if the cost is unknown for another reason.
 _WITH_COSTS = frozenset({
     "beyond-travel", "coordinates-not-changed", "feeds-per-minute", "in-commands", "inches-as-millimetres", "no-job", "no-stock",
     "stock-as-box", "tool-simplified",

@@ -172,7 +172,7 @@ class Parser:
         return (*self._bracket(), (_UNARY, function))
 
     def _exists(self) -> Postfix:
-        """Read the variable in the brackets of EXISTS. The variable's value is not read."""
+        """Read the variable in the brackets of EXISTS. The value of the variable is not read."""
         if not self.take("#"):
             raise Unreadable
         *code, (kind, name) = self.variable()

@@ -41,8 +41,8 @@ def recognize(toolpath: Toolpath, *, tool_diameter: float | None = None, program
     Returns
     -------
     Recognition
-        Strategy.EMPTY if nothing cuts, Strategy.UNKNOWN if a problem of the toolpath hides cuts. No Toolpath raises an
-        exception.
+        Strategy.EMPTY if nothing cuts, Strategy.UNKNOWN if a problem of the toolpath hides cuts. An argument that is
+        not a Toolpath raises an exception.
 
     Raises
     ------
