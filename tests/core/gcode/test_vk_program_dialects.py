@@ -266,6 +266,7 @@ def test_control_languages_named_in_the_guide_are_refused(line):
     ("line", "end", "remarks"),
     [
         ("M17\nX20", (20, 2, -1), ["goes-on"]),  # the end of a Siemens subprogram
+        ("M98 P1\nM30\nO1\nX20\nM17\nX30", (20, 2, -1), ["after-end"]),
         ("G8 X20 Y5", (10, 2, -1), ["unknown-code-with-words"]),  # Fagor: a tangential arc
         ("G8 G1 X20 Y5", (20, 5, -1), []),
         ("G11", (10, 2, -1), ["unknown-code"]),  # Fagor: a mirror

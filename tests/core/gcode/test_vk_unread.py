@@ -71,7 +71,7 @@ def test_machining_time_without_a_known_dwell_has_a_note():
     ("G10 L2 P1 X5", ("origin-assumed", "G10")), ("G10 L20 P0 X0\nG10 L20 P33 X0", ("coordinates-not-changed", "G10")),
     ("G7.1 C20", ("coordinates-not-changed", "G7.1")), ("G7", ("unknown-code", "'G7'")),
     ("G76 P1 Z-2 Q1", ("unknown-code-with-words", "Z", "'G76'")),
-    ("$H", ("words-not-read",)), ("G81 R2 Z-2 I-20\nG80 G0", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
+    ("$H", ("machine-position", "G28")), ("(RPT N1,N2)N3", ("subprogram-not-read",)), ("G81 R2 Z-2 I-20\nG80 G0", ("word-not-read", "I")), ("G15 H1", ("coordinates-not-changed", "G15")),
 ])  # fmt: skip
 def test_ignored_words_of_programs_have_a_remark(line, problem):
     program = read_program(f"G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\n{line}\nX10 Y3")

@@ -112,3 +112,19 @@ def test_modal_code_beside_g28_stays_in_force():
 def test_unknown_second_code_has_a_remark():
     path = linearize([*BEFORE_CODES, ("G90", {"G": 777, "X": 45})])
     assert [problem.what.code for problem in path.problems] == ["two-codes", "unknown-code"]
+
+
+@pytest.mark.parametrize(
+    ("name", "words", "code"),
+    [
+        ("G20", {"G": 1, "X": 3}, "inches-not-read"), ("G41", {"D": 1, "X": 5}, "compensation-not-read"),
+        ("G93", {"G": 1, "X": 5, "F": 2}, "feed-mode-not-read"), ("G4", {"G": 1, "X": 5}, None), ("G80", {"X": 3}, "word-not-read"),
+    ],
+)  # fmt: skip
+def test_ignored_code_has_a_remark_beside_a_second_code(name, words, code):
+    """The second code or the axis words move the tool; the first code is still ignored."""
+    path = linearize([("G1", {"X": 0, "Y": 0, "Z": 0, "F": 1}), (name, words)])
+    assert [problem.what.code for problem in path.problems if problem.what.code != "two-codes"] == [code] * (
+        code is not None
+    )
+    assert len(path.dwells) == (name == "G4")

@@ -285,6 +285,7 @@ def _add(machine: Interpreter, block: _Block, index: int, after: int) -> None:
         machine.motion = machine.written = int(selected[-1])
     if is_feed.any():
         modes.feed = float(values[is_feed][-1])
+    machine.stopped &= modes.relative or not (of == ord("Z")).any()
     y = values[of == ord("Y")]
     if len(y) and modes.relative:
         machine.clues.y(bool((y != 0).any()))

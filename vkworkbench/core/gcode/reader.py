@@ -34,10 +34,10 @@ _CHECKSUM = re.compile(r"^(N[^#=\[]*?)\s*\*\s*\d{1,3}$|\s*\*$")
 _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 # Program lines that do not move the tool: grbl's queries and unlock command, and Fanuc's and Haas' print commands.
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?MSG|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
-_RETURN = re.compile(r"M\s*99(?!\d)")
-_LABEL_CALL = re.compile(
-    r"(?:N\s*\d+\s*)?L\s*\d+\s*,\s*\d+"
-)  # Heidenhain's call of a label: L1,3 runs label 1 three times.
+_RETURN = re.compile(r"M\s*(?:99|17)(?!\d)")  # M17 is Siemens' return from a subprogram
+_CALL_IN_COMMENT = re.compile(r"(?:RPT\s*N|P?CALL|GOTO\s*N)\s*\d", re.IGNORECASE)  # Fagor's repeats and calls
+# Heidenhain's call of a label: L1,3 runs label 1 three times.
+_LABEL_CALL = re.compile(r"(?:N\s*\d+\s*)?L\s*\d+\s*,\s*\d+")
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # A decimal comma, as in X10,5.
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
@@ -152,10 +152,7 @@ class _Reader:
     def line(self, index: int) -> bool:
         """Read one line; return whether the line ends the program, or the current subprogram."""
         line = self.lines[index]
-        code, comments = split_comments(line)
-        code = code.strip().upper()
-        if "*" in code:  # an asterisk ends the words of a line; a checksum can follow
-            code = _CHECKSUM.sub(r"\1", code)
+        code, comments = self._split(line)
         if "%" in code:
             ends = self._percent(code)
             if ends is not None:
@@ -177,6 +174,17 @@ class _Reader:
         if self.deleted:
             self._problem(Message("block-delete"))
         return self._block(index, code, comments)
+
+    def _split(self, line: str) -> tuple[str, list[str]]:
+        """Return the code of a line in capitals, without a checksum, and the comments of the line."""
+        code, comments = split_comments(line)
+        code = code.strip().upper()
+        if comments and _CALL_IN_COMMENT.match(comments[0]):
+            self._problem(Message("subprogram-not-read"))
+        if "*" in code:  # an asterisk ends the words of a line; a checksum can follow
+            code = _CHECKSUM.sub(r"\1", code)
+        # After grbl's homing cycle $H, the position is unknown, as after G28.
+        return ("G28" if code == "$H" else code), comments
 
     def _percent(self, code: str) -> bool | None:
         """Return whether a line with a percent sign ends the program; None if the sign has no meaning in the line."""

@@ -32,7 +32,9 @@ def process(machine: Machine, value: float, letters: set[str]) -> bool:
         machine.place.lose("XYZ")
     elif value in (_SAVE, _FORGET, _SAVE_FOR_CALL):
         machine.saved[-1] = None if value == _FORGET else replace(machine.modes), value == _SAVE_FOR_CALL
-    elif value == _RETURN_OF_SIEMENS and machine.moved:  # at the beginning of a program, M17 is Marlin's
+    elif (
+        value == _RETURN_OF_SIEMENS and machine.moved and len(machine.saved) == 1
+    ):  # before the first move: Marlin's M17
         machine.ended = True
     elif value == _RESTORE:
         restore(machine, machine.saved[-1][0])

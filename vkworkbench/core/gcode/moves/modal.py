@@ -209,11 +209,10 @@ def _held(values: np.ndarray) -> np.ndarray:
 
 def _mode(words: Words, states: dict[int, int], default: int) -> np.ndarray:
     """Return the state of a modal group at every command: the value for the group's last code, (n,) int."""
-    code = words.codes
-    value, sets = np.full(len(code), default, np.int8), np.zeros(len(code), bool)
+    value, sets = np.full(len(words), default, np.int8), np.zeros(len(words), bool)
     for state, state_value in states.items():
-        for own in (np.flatnonzero(code == state), words.second_rows[words.second_codes == state]):
-            value[own], sets[own] = state_value, True
+        own = words.rows_of(state)
+        value[own], sets[own] = state_value, True
     if not sets.any():
         return value
     setter = _last(sets)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from vkworkbench.core.gcode.moves.codes import (
+    CANCEL,
     COMMENT,
     COMPENSATION,
     CYCLES,
@@ -64,8 +65,8 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
             Message("word-not-read", letter=letter),
         )
     for letter in "XYZ":  # FreeCAD keeps the words of the line G1 X45 (side) as parameters of the comment
-        rows = np.flatnonzero((codes == COMMENT) & _given(words, letter)).tolist()
-        rows = [row for row in rows if words.names[row].lstrip().startswith("(")]
+        rows = np.flatnonzero(((codes == COMMENT) | (codes == CANCEL)) & _given(words, letter)).tolist()
+        rows = [row for row in rows if words.names[row].lstrip()[0] in "(Gg"]
         yield np.array(rows, np.int64), Message("word-not-read", letter=letter)
     in_cycle = np.isin(motion, CYCLES)
     for letter in "KL" if in_cycle.any() else ():
@@ -73,11 +74,11 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
     dwelling, seconds = dwells(words, motion)
     yield dwelling[np.isnan(seconds)], Message("dwell-untimed")
     yield np.flatnonzero(np.isin(codes, PROBES)), Message("probing-untimed")
-    yield np.flatnonzero(codes == _INCHES), Message("inches-not-read")
+    yield words.rows_of(_INCHES), Message("inches-not-read")
     for code in COMPENSATION:
-        yield np.flatnonzero(codes == code), Message("compensation-not-read", name=name_of(code))
+        yield words.rows_of(code), Message("compensation-not-read", name=name_of(code))
     for code in (INVERSE_TIME, PER_TURN):
-        yield np.flatnonzero(codes == code), Message("feed-mode-not-read", name=name_of(code))
+        yield words.rows_of(code), Message("feed-mode-not-read", name=name_of(code))
     m_codes = {name: match[1] for name in set(words.names) if (match := _M_CODE.fullmatch(name))}
     if m_codes:
         called = np.array([m_codes.get(name, "") for name in words.names])
@@ -90,7 +91,7 @@ def unread(words: Words, motion: np.ndarray) -> Iterator[tuple[np.ndarray, Messa
 def dwells(words: Words, motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the indices of the commands that dwell, (m,) int, and their times, (m,) s; NaN without a usable time."""
     p = words.column("P")[0]
-    rows = np.flatnonzero((words.codes == DWELL) | (np.isin(motion, CYCLES) & (p > 0)))
+    rows = np.union1d(words.rows_of(DWELL), np.flatnonzero(np.isin(motion, CYCLES) & (p > 0)))
     seconds = np.full(len(rows), np.nan)
     for letter in "XUP":
         given = words.column(letter)[0][rows]

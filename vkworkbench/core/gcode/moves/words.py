@@ -115,6 +115,10 @@ class Words:
         """(m,) int : Rows of the commands with a parameter G (a second code), which some post processors leave out."""
         return self._rows[self._letters == ord("G")].astype(np.int64)
 
+    def rows_of(self, code: int) -> np.ndarray:
+        """Return the rows of the commands with a code, also as one of two codes, (m,) int."""
+        return np.union1d(np.flatnonzero(self.codes == code), self.second_rows[self.second_codes == code])
+
     def column(self, letter: str, rows: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of one parameter, and whether each value is unusable.
 

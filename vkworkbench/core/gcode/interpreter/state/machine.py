@@ -173,7 +173,7 @@ class Machine:
             and self.motion == self.written
             and self.motion in (codes.RAPID, codes.FEED, *codes.ARCS)
             and self.modes.feed_mode == codes.PER_MINUTE
-            and not (self.ended or self.away or self.length_changed or self.stopped or self.stands)
+            and not (self.ended or self.away or self.length_changed or self.stands)
             and not (self.origins.used or self.is_mapped or self.polar)
             and self.compensation is None
             and self.corner is None
