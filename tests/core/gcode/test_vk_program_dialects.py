@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Words whose meaning depends on the control, and words that resemble the words of another control or machine."""
 
+import numpy as np
 import pytest
 
 from vkworkbench.core.gcode.dialects import at_line
@@ -161,8 +162,8 @@ def test_names_and_comments_are_not_siemens_words(line):
 @pytest.mark.parametrize(
     "line",
     [
-        "CYCLE81(10,0,2,-5)", "N20 MCALL CYCLE83(10,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL", "SUPA G0 Z500",
-        "N10 G0 SUPA Z500", "STOPRE", "N10 TRANS X50", 'T="MILL"', "N10 G1 X=AC(5)", 'WORKPIECE(,,,"BOX")',
+        "CYCLE81(10,0,2,-5)", "N20 MCALL CYCLE83(10,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL", "N10 ROT RPL=5",
+        "N10 G0 A=DC(5)", "CYCLE800(1,2)", "N10 AMIRROR X0", "DEF REAL A", "N10 G1 X=R1",
     ],
 )  # fmt: skip
 def test_siemens_language_is_refused(line):
@@ -255,7 +256,7 @@ def test_table_of_dialects_in_the_guide_is_correct(line, end, remarks):
 
 
 @pytest.mark.parametrize(
-    "line", ["L X+10 Y+5 R0 FMAX", "G1 X=AC(10)", "TRANS X5", "CYCLE81(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G2 X5 I5 TURN=2", "G1 X9 RND=2"]
+    "line", ["L X+10 Y+5 R0 FMAX", "G0 A=DC(10)", "ROT RPL=5", "CYCLE81(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G1 AP=30 RP=5", "G1 X9 CHF=2"]
 )  # fmt: skip
 def test_control_languages_named_in_the_guide_are_refused(line):
     with pytest.raises(Unusable, match=r"The program is written for (Heidenhain|Siemens) controls"):
@@ -296,3 +297,34 @@ def test_call_of_a_heidenhain_label_has_one_remark():
 
 def test_e_word_after_a_coordinate_is_not_an_exponent():
     assert last("G1X10E5") == (10, 2, -1) and last("G1 X1.5E-01 Y30000000E-7") == (0.15, 3, -1)
+
+
+@pytest.mark.parametrize(
+    ("text", "end"),
+    [
+        ("X=IC(5) Y = AC( 1 )", (15, 1, -1)), ("G91 X=AC(0) Y5", (0, 7, -1)), ("G91\nX=AC(0) Y=IC(1)", (0, 3, -1)), ("G20\nX=IC(1)", (35.4, 2, -1)),
+        ("TRANS X100 Y=50\nX1 Y1", (101, 51, -1)), ("TRANS X100\nATRANS X5 Z1\nX0 Z0", (105, 2, 1)), ("TRANS X100\nN5 TRANS\nX1", (1, 2, -1)),
+        ("G0 SUPA Z500 D0", (10, 2, 5)), ('T="MILL 5"\nM6\nCYCLE832(0.1,1)\nCYCLE800()\nWORKPIECE(,"",,"BOX",1)\nX5', (5, 2, -1)),
+    ],
+)  # fmt: skip
+def test_words_of_siemens_are_read(text, end):
+    assert last(text) == end and said(PLAIN + text) == []
+
+
+def test_arcs_of_siemens_are_read():
+    path = read_program(
+        PLAIN + "G3 X0 Y2 I=AC(5) J=AC(2)\nG2 X10 Z-3 I5 J=IC(0) TURN=2\n/ G3 X10 Y2 I-5 J0 TURN=1"
+    ).toolpath()
+    assert path.points[-1].tolist() == [10, 2, -3] and path.sweep.sum() == pytest.approx((1 - 5 + 4) * np.pi)
+    assert [problem.what.code for problem in path.problems] == ["block-delete"]
+
+
+def test_corners_of_siemens_are_read():
+    rounded, cut = (read_program(PLAIN + f"X20 Y2 {word}\nY20").toolpath() for word in ("RND=2", "CHR=2"))
+    assert rounded.sweep.sum() == pytest.approx(np.pi / 2) and not rounded.problems
+    assert cut.points[-3:].tolist() == [[18, 2, -1], [20, 4, -1], [20, 20, -1]] and not cut.problems
+
+
+def test_incremental_word_of_siemens_at_an_unknown_position_is_refused():
+    with pytest.raises(Unusable, match="Siemens"):
+        read_program("G21 G90\nG0 X=IC(5) Y0 Z5\nG1 Z-1 F60")

@@ -321,7 +321,14 @@ class _Reader:
         if code[0] == "<":  # XML or HTML, in which an equals sign does not assign a variable
             self._no_words()
             return None
-        dialects.refuse(line.strip().upper(), code, self.number)
+        line = _BLOCK_DELETE.sub(r"\1", line.partition(";")[0].strip().upper())
+        machine, modes = self.machine, self.machine.modes
+        relative = ("G", 91.0) in words or (modes.relative and ("G", 90.0) not in words)
+        shift = {axis: value / modes.unit for axis, value in machine.origins.shift.items()}
+        spelled = dialects.spelled(line, machine.coordinates(), shift, relative=relative)
+        if spelled is not None:
+            line, code = spelled, split_comments(spelled)[0].strip()
+        dialects.refuse(line, code, self.number)
         if _FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
             return None

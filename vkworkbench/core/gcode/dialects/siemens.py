@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Replace the words of Siemens controls by the common words with the same meaning."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+
+_NUMBER = r"([-+]?(?:\d+\.?\d*|\.\d+))"
+# A coordinate or a centre in a distance mode of its own: X=AC(10) is absolute, X=IC(5) is incremental.
+_PLACE = re.compile(rf"(?<![A-Z])([XYZIJK])\s*=\s*([AI])C\s*\(\s*{_NUMBER}\s*\)")
+_AXES = {"I": "X", "J": "Y", "K": "Z"}  # the axes of centre words
+# The corner after a move (RND, CHR), and the number of full turns of an arc in addition to the arc itself (TURN).
+_WORD = re.compile(rf"(?<![A-Z])(RND|CHR|TURN)\s*=\s*{_NUMBER}")
+_LETTERS = {"RND": ",R", "CHR": ",C", "TURN": "P"}
+_TOOL_NAME = re.compile(r"(?<![A-Z])T\s*=\s*\"[^\"]*\"")
+_MACHINE_POSITION = re.compile(r"\bSUPA\b")  # G53 of other controls
+_SHIFT = re.compile(r"((?:N\s*\d+\s*)?)(A?)TRANS\b(?!\s*=)")
+_COORDINATE = re.compile(rf"([XYZ])\s*=?\s*{_NUMBER}")
+# Lines without effect on the tool's path: the tolerance of the control, the end of a swivelled plane, the stock.
+_WITHOUT_EFFECT = re.compile(r"(?:N\s*\d+\s*)?(?:CYCLE832\s*\(.*\)|CYCLE800\s*\(\s*\)|WORKPIECE\s*\(.*\)|STOPRE)")
+
+
+def spelled(line: str, place: dict[str, float], shift: dict[str, float], *, relative: bool) -> str | None:
+    """Return a line with common words in place of Siemens' words; None if the line contains none of these words.
+
+    Parameters
+    ----------
+    line : str
+        The line in capitals, without the comment after a semicolon and without block delete.
+    place, shift : dict
+        The known coordinates of the tool, and the shift of the coordinates (TRANS), by axis, in the program's unit.
+    relative : bool
+        Whether G91 is in force in the line.
+    """
+    if _WITHOUT_EFFECT.fullmatch(line):
+        return ""
+    begin = _SHIFT.match(line)
+    if begin:
+        before = shift if begin[2] else {}
+        values = {axis: float(value) for axis, value in _COORDINATE.findall(line[begin.end() :])}
+        words = (f"{axis}{values.get(axis, 0.0) + before.get(axis, 0.0):.9f}" for axis in "XYZ")
+        return f"{begin[1]}G52 {' '.join(words)}"
+    result = _PLACE.sub(partial(_coordinate, place, relative), _TOOL_NAME.sub("", line))
+    result = _MACHINE_POSITION.sub("G53", _WORD.sub(_common, result))
+    return None if result == line else result
+
+
+def _common(word: re.Match[str]) -> str:
+    value = float(word[2]) + (word[1] == "TURN")
+    return f"{_LETTERS[word[1]]}{value:.9f} "
+
+
+def _coordinate(place: dict[str, float], relative: bool, word: re.Match[str]) -> str:
+    """Return a coordinate in the distance mode of its line; the word itself if the tool's position is unknown."""
+    letter, value, is_centre = word[1], float(word[3]), word[1] in _AXES
+    axis, is_absolute = _AXES.get(letter, letter), word[2] == "A"
+    if is_absolute != (not relative and not is_centre):
+        if axis not in place:
+            return word[0]
+        value += -place[axis] if is_absolute else place[axis]
+    return f"{letter}{value:.9f} "
