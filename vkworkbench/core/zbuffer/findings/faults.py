@@ -34,6 +34,7 @@ ROUNDED = 1e-3
 # The chords that replace arcs leave material about as thick as the largest distance between an arc and its chord (the
 # arc's rise). Where arcs were cut, the limits for touching are at least `_OF_RISE` times the rise.
 _OF_RISE = 2.0
+_CELLS = 256  # number of cells along each side of the rectangle in which the rises of the arcs are stored
 _SIDES = np.arange(8) * pi / 4
 _PIECES_AT_ONCE = 1 << 14
 # Number of concentric rings with equal widths into which a tool is divided to compute its volume.
@@ -102,7 +103,6 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray, ri
     if len(segments.owner) == 0:
         return []
     owner, middle, length = segments.owner, (segments.near + segments.far) / 2, segments.far - segments.near
-    around = rises.near(owner)
     # The longest segments that each rapid removes are examined first. A rapid that only touches a wall can also remove
     # long segments, as high as the wall. Therefore the segments of each rapid are examined until one segment is inside
     # the rapid's swept volume by more than the depth that counts as touching.
@@ -114,7 +114,7 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray, ri
         if len(some):
             ends = segments.upper[some], middle[some]
             points = (segments.points(some, depth) for depth in ends)
-            upper_in, middle_in = (_inside(cuts, owner[some], at, around[:, some]) for at in points)
+            upper_in, middle_in = (_inside(cuts, owner[some], at, rises.at(at)) for at in points)
             some = some[upper_in | middle_in]
             crashed, position = np.unique(owner[some], return_index=True)
             longest[crashed] = some[position]
@@ -128,46 +128,42 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray, ri
 
 
 class ArcRises:
-    """The largest distances between arcs and their chords in a job, near given trajectories."""
+    """The largest distances between the arcs of a job and their chords, by place.
+
+    The rectangle that contains all arcs, seen from above, is divided into `_CELLS` by `_CELLS` cells. For each cell, the
+    largest horizontal and the largest vertical rise of the arcs that reach the cell are stored.
+    """
 
     def __init__(self, cuts: Cuts) -> None:
-        self._cuts = cuts
         rises = np.concatenate([np.empty((2, 0)), *(_rises(cut.toolpath) for cut in cuts.cuts)], axis=1)
-        chord = np.flatnonzero((_OF_RISE * rises > [[_ROUNDED_ASIDE], [ROUNDED]]).any(axis=0))
+        chords = np.flatnonzero((_OF_RISE * rises > [[_ROUNDED_ASIDE], [ROUNDED]]).any(axis=0))
+        self._rises = np.zeros((2, _CELLS, _CELLS))
+        self._lower, self._cell = np.zeros(2), np.ones(2)
+        if len(chords) == 0:
+            return
+        start, end = (ends[chords, :2] for ends in cuts.ends)
+        radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut[chords]][:, None]
         # All chords of one arc are joined, because they have the same command.
-        command = cuts.command[chord] if len(chord) else chord
-        begins = np.ones(len(chord), bool)
-        begins[1:] = (np.diff(chord) > 1) | (np.diff(command) != 0)
-        first = np.flatnonzero(begins)
-        self._trajectory = chord[first]
-        self._rise = np.maximum.reduceat(rises[:, chord], first, axis=1) if len(first) else rises[:, :0]
-        if len(first):
-            self._lower, self._upper = _boxes(cuts, chord)
-            self._lower, self._upper = np.minimum.reduceat(self._lower, first), np.maximum.reduceat(self._upper, first)
+        first = np.flatnonzero(np.diff(cuts.command[chords], prepend=-1) | (np.diff(chords, prepend=-1) > 1))
+        lower = np.minimum.reduceat(np.minimum(start, end) - radius, first)
+        upper = np.maximum.reduceat(np.maximum(start, end) + radius, first)
+        self._lower, self._cell = lower.min(axis=0), (upper.max(axis=0) - lower.min(axis=0)) / _CELLS
+        begin, last = (((at - self._lower) / self._cell).astype(np.int64) for at in (lower, upper))
+        for (x, y), (right, top), rise in zip(begin, last + 1, np.maximum.reduceat(rises[:, chords], first, axis=1).T):
+            reached = self._rises[:, x:right, y:top]
+            np.maximum(reached, rise[:, None, None], out=reached)
 
-    def near(self, trajectories: np.ndarray) -> np.ndarray:
-        """Return the largest horizontal and vertical rise, mm, of the earlier arcs near each trajectory (k,), (2, k)."""
-        own, number = np.unique(trajectories, return_inverse=True)
-        found = np.zeros((2, len(own)))
-        if len(self._trajectory):
-            for item, (lower, upper) in enumerate(zip(*_boxes(self._cuts, own))):
-                earlier = int(np.searchsorted(self._trajectory, own[item]))
-                met = (self._lower[:earlier] < upper).all(axis=1) & (self._upper[:earlier] > lower).all(axis=1)
-                found[:, item] = self._rise[:, :earlier][:, met].max(axis=1, initial=0.0)
-        return found[:, number]
-
-
-def _boxes(cuts: Cuts, trajectories: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the corners, (k, 2) mm, of the rectangles that the tools pass over in the given trajectories (k,)."""
-    start, end = (ends[trajectories, :2] for ends in cuts.ends)
-    radius = np.array([cut.tool.radius for cut in cuts.cuts])[cuts.cut[trajectories]][:, None]
-    return np.minimum(start, end) - radius, np.maximum(start, end) + radius
+    def at(self, points: np.ndarray) -> np.ndarray:
+        """Return the horizontal and the vertical rise of the arcs at the points (k, 3), (2, k) mm."""
+        x, y = np.floor((points[:, :2] - self._lower) / self._cell).astype(np.int64).T
+        inside = (x >= 0) & (x < _CELLS) & (y >= 0) & (y < _CELLS)
+        return np.where(inside, self._rises[:, np.where(inside, x, 0), np.where(inside, y, 0)], 0.0)
 
 
 def _inside(cuts: Cuts, trajectory: np.ndarray, points: np.ndarray, rises: np.ndarray) -> np.ndarray:
     """Return whether each point (k, 3) is inside the swept volume of its trajectory (k,) by more than touching it.
 
-    `rises` (2, k) contains the horizontal and the vertical rise of the arcs near each trajectory, mm.
+    `rises` (2, k) contains the horizontal and the vertical rise of the arcs at each point, mm.
     """
     start, end = (ends.T for ends in as_cut(*(ends[trajectory] for ends in cuts.ends)))
     heading = headings(end - start)
