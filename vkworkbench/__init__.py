@@ -83,16 +83,8 @@ def analyze(what=None, *, progress=None, cancelled=None, machine=None):
     if isinstance(what, Iterable) and not isinstance(what, (str, bytes)):
         what = list(what)  # a generator can be read only once, but `what` is read more than once
     home = program
-    if not program.is_path(what):
-        try:
-            home = import_module("vkworkbench.document.analysis")
-        except ModuleNotFoundError as error:
-            if error.name != "FreeCAD":
-                raise
-            if what != []:
-                raise TypeError(
-                    "without FreeCAD only NC programs are analyzed: a file, a folder, or a list of them"
-                ) from None
+    if not program.is_path(what) and (what != [] or "FreeCAD" in sys.modules):
+        home = _of_documents("analysis", "analyzed: a file, a folder, or a list of them")
     return home.analyze(what, progress=progress, cancelled=cancelled, machine=machine)
 
 
@@ -128,7 +120,17 @@ def simulate(what=None, **options):
 
     if program.is_path(what):
         return program.simulate(what, **options)
-    return import_module("vkworkbench.document.simulation.simulate").simulate(what, **options)
+    return _of_documents("simulation.simulate", "simulated: the name of a file").simulate(what, **options)
+
+
+def _of_documents(module: str, otherwise: str):
+    """Return a module of `vkworkbench.document`, or raise TypeError if FreeCAD is missing."""
+    try:
+        return import_module(f"vkworkbench.document.{module}")
+    except ModuleNotFoundError as error:
+        if error.name != "FreeCAD":
+            raise
+        raise TypeError(f"without FreeCAD only NC programs are {otherwise}") from None
 
 
 def __dir__() -> list[str]:

@@ -17,6 +17,7 @@ from pathlib import Path
 
 OWN = "own"  # in `mark_simulator`: the simulator that FreeCAD's button starts; in `machine`: the user's own machine
 GROUP = "User parameter:BaseApp/Preferences/Mod/VkWorkbench"
+_LONGEST_SETTINGS = 100_000  # characters in a file with a machine's settings; grbl prints fewer than 2000
 
 # View directions by the names of FreeCAD's standard views.
 DIRECTIONS = {
@@ -233,7 +234,7 @@ class Preferences:
         if given in MACHINES:
             return replace(self, machine=given)
         try:
-            settings = Path(given).read_text(encoding="utf-8", errors="replace")
+            settings = _read_settings(Path(given))
         except (OSError, ValueError):
             names = ", ".join(MACHINES)
             raise ValueError(f"no machine {str(given)!r}: name {names}, or a file with grbl's settings") from None
@@ -245,6 +246,17 @@ class Preferences:
         from vkworkbench.core import View
 
         return View(DIRECTIONS[self.view_direction], self.image_width, self.image_height)
+
+
+def _read_settings(path: Path) -> str:
+    """Return the text of a file with a machine's settings. Pipes, devices and large files raise ValueError."""
+    if not path.is_file():
+        raise ValueError
+    with path.open(encoding="utf-8", errors="replace") as file:
+        settings = file.read(_LONGEST_SETTINGS + 1)
+    if len(settings) > _LONGEST_SETTINGS:
+        raise ValueError
+    return settings
 
 
 def read() -> Preferences:

@@ -182,7 +182,8 @@ def test_wrong_settings_of_grbl_are_refused(settings):
 
 @pytest.mark.parametrize("wrong", [
     {"rates": (1, 2)}, {"rates": (1, 0, 1)}, {"accelerations": (1, 1, inf)}, {"deviation": -1}, {"factor": 0},
-    {"lookahead": 0},
+    {"lookahead": 0}, {"lookahead": 10**400}, {"rates": (1e-300, 1, 1)}, {"accelerations": (1, 1, 1e300)},
+    {"factor": 1e300}, {"tool_change": 1e308}, {"deviation": 1e308},
 ])  # fmt: skip
 def test_impossible_machines_are_refused(wrong):
     given = {"rates": (1, 1, 1), "accelerations": (1, 1, 1), "deviation": 0.01}

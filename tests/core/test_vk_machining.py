@@ -121,6 +121,8 @@ def test_rapids_of_unknown_speed_have_a_note():
 def test_time_of_a_slow_rapid_is_counted():
     path = linearize([("G0", {"X": 0.0, "Y": 0.0, "Z": 5.0}), ("G0", {"X": 10.0})])
     assert machining(path, horizontal_rapid=0.5).rapid_seconds == pytest.approx(20)
+    # FreeCAD accepts any speed. A rapid at 5e-324 mm/s would take an infinite time.
+    assert machining(path, horizontal_rapid=5e-324) == machining(path, horizontal_rapid=0.0)
 
 
 def test_time_of_a_move_of_unknown_speed_is_nan():

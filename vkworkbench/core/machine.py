@@ -14,8 +14,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from vkworkbench.core.toolpath import PLANE_AXES, Toolpath, check_toolpath, exact_lengths
-from vkworkbench.given import not_negative, number, numbers, positive, whole
+from vkworkbench.core.toolpath import PLANE_AXES, SLOWEST, Toolpath, check_toolpath, exact_lengths
+from vkworkbench.given import number, numbers, of_kind, whole
 
 # Limit for the sine of half the angle at the corner between two moves, which is 1 if both moves have the same
 # direction. Above this limit of the sine, the directions differ only by rounding, and the corner does not limit the
@@ -23,8 +23,17 @@ from vkworkbench.given import not_negative, number, numbers, positive, whole
 _STRAIGHT = 1 - 1e-12
 
 
-def _are_three_positive(values: np.ndarray) -> bool:
-    return values.shape == (3,) and bool(np.isfinite(values).all() and (values > 0).all())
+# Smallest and largest speed, acceleration and factor of a machine, and largest other value. With values beyond these
+# limits, times could be infinite.
+_LEAST, _MOST, _MOST_OTHER = SLOWEST, 1e9, 1e6
+
+
+def _is_speed(value: float | np.ndarray) -> bool:
+    return bool(np.all((value >= _LEAST) & (value <= _MOST)))
+
+
+def _are_three_speeds(values: np.ndarray) -> bool:
+    return values.shape == (3,) and _is_speed(values)
 
 
 @dataclass(frozen=True)
@@ -53,7 +62,8 @@ class Machine:
     Raises
     ------
     ValueError
-        If a value is not positive. Only `deviation`, `tool_change` and `spindle_start` may be 0.
+        If a speed, an acceleration or the factor is not between 1e-6 and 1e9, `deviation`, `tool_change` or
+        `spindle_start` is not between 0 and 1e6, or `lookahead` is less than 1.
     TypeError
         If a value is not a number, or `lookahead` is not an integer.
     """
@@ -68,16 +78,18 @@ class Machine:
 
     def __post_init__(self) -> None:
         for name in ("rates", "accelerations"):
-            takes = "three positive numbers, for X, Y and Z"
-            given = numbers(name, getattr(self, name), takes, _are_three_positive)
+            takes = f"three numbers from {_LEAST:g} to {_MOST:g}, for X, Y and Z"
+            given = numbers(name, getattr(self, name), takes, _are_three_speeds)
             object.__setattr__(self, name, tuple(given.tolist()))
-        for name in ("deviation", "factor", "tool_change", "spindle_start"):
-            fits, takes = (
-                (positive, "a positive number") if name == "factor" else (not_negative, "a number of at least 0")
-            )
-            object.__setattr__(self, name, number(name, getattr(self, name), takes, fits))
-        takes = "a whole number of moves, at least 1"
-        object.__setattr__(self, "lookahead", whole("lookahead", self.lookahead, takes, lambda moves: moves >= 1))
+        takes = f"a number from {_LEAST:g} to {_MOST:g}"
+        object.__setattr__(self, "factor", number("factor", self.factor, takes, _is_speed))
+        takes = f"a number from 0 to {_MOST_OTHER:g}"
+        for name in ("deviation", "tool_change", "spindle_start"):
+            given = number(name, getattr(self, name), takes, lambda value: 0 <= value <= _MOST_OTHER)
+            object.__setattr__(self, name, given)
+        takes = f"a whole number of moves, from 1 to {_MOST:g}"
+        moves = whole("lookahead", self.lookahead, takes, lambda moves: 1 <= moves <= _MOST)
+        object.__setattr__(self, "lookahead", moves)
 
     def seconds(self, toolpath: Toolpath) -> np.ndarray:
         """Return the time of every trajectory, from standstill to standstill.
@@ -163,7 +175,11 @@ def machine_of_grbl(settings: str, otherwise: Machine) -> Machine:
     ------
     ValueError
         If no line is a known setting, or if a setting has an impossible value.
+    TypeError
+        If `settings` is not a text, or `otherwise` is not a Machine.
     """
+    of_kind("settings", settings, str, "the text that grbl prints")
+    of_kind("otherwise", otherwise, Machine, "a Machine")
     found = {}
     for line in settings.splitlines():
         name, _, value = line.strip().partition("=")

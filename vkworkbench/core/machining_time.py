@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vkworkbench.core.machine import Machine
-from vkworkbench.core.toolpath import Toolpath, check_toolpath, exact_lengths
+from vkworkbench.core.toolpath import SLOWEST, Toolpath, check_toolpath, exact_lengths
 from vkworkbench.given import not_negative, number, of_kind
 from vkworkbench.language import Message, render
 
@@ -96,7 +96,7 @@ def trajectory_seconds(
         return machine.seconds(toolpath)
     rapid = np.where(_upright(toolpath), vertical_rapid, horizontal_rapid)
     speed = np.where(toolpath.rapid, rapid, toolpath.feed)
-    return exact_lengths(toolpath) / np.where(speed > 0, speed, np.nan)
+    return exact_lengths(toolpath) / np.where(speed >= SLOWEST, speed, np.nan)
 
 
 def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> np.ndarray:
@@ -104,7 +104,14 @@ def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> 
 
     A dwell in a drilling cycle follows the hole. A dwell at the end of the toolpath is added to the dwells of the last
     trajectory.
+
+    Raises
+    ------
+    TypeError
+        As for :func:`machining`.
     """
+    check_toolpath(toolpath)
+    of_kind("machine", machine, (Machine, type(None)), "a Machine or None")
     if not len(toolpath):
         return np.zeros(0)
     dwelling, seconds = toolpath.dwells.T
@@ -166,8 +173,8 @@ def machining(
     toolpath : Toolpath
         The trajectories, feeds in mm/s.
     horizontal_rapid, vertical_rapid : float
-        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) if unknown. The
-        vertical speed applies to vertical rapids, the horizontal speed to all other rapids.
+        The tool controller's HorizRapid and VertRapid, mm/s; 0 (FreeCAD's default) if unknown. Speeds below `SLOWEST`
+        are unknown, too. The vertical speed applies to vertical rapids, the horizontal speed to all other rapids.
     controller : bool
         Whether the operation has a tool controller, where the user can set the speeds.
     top : float, optional
@@ -197,7 +204,7 @@ def machining(
     if missing:
         upright = _upright(toolpath)
         speeds = ("HorizRapid", horizontal_rapid, ~upright), ("VertRapid", vertical_rapid, upright)
-        names = [name for name, given, kind in speeds if not given and (rapid & kind).any()]
+        names = [name for name, given, kind in speeds if given < SLOWEST and (rapid & kind).any()]
         left_out.append(_rapids_untimed(untimed, names, controller))
     left_out += [problem.remark for problem in toolpath.problems if problem.takes_time]
     lowest = depth = shortest = median = None

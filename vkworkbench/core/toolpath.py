@@ -14,6 +14,8 @@ from vkworkbench.language import Message, render
 # Largest coordinate, mm: no milling machine reaches farther than a kilometre, so a larger coordinate is an error, which
 # could also cause overflows.
 COORDINATE_LIMIT = 1e6
+# Slowest speed, mm/s: with a lower speed, a millimetre would take more than eleven days, so a lower speed is an error.
+SLOWEST = 1e-6
 
 # The two axes and the normal of each working plane (G17, G18 and G19), a right-handed system.
 PLANE_AXES = {17: (0, 1, 2), 18: (2, 0, 1), 19: (1, 2, 0)}
@@ -24,6 +26,10 @@ _HIDES_CUTS = (
     "rotary-cuts", "read-up-to", "jumps-not-followed", "line-with-variables", "variables-not-read", "subprogram-not-read",
     "cycle-outside-xy",
 )  # fmt: skip
+
+
+def _are_points(given: np.ndarray) -> bool:
+    return given.size % 3 == 0 and bool((np.abs(given) <= COORDINATE_LIMIT).all())
 
 
 @dataclass(frozen=True)
@@ -160,10 +166,10 @@ class Toolpath:
         Raises
         ------
         ValueError, TypeError
-            If `points` is not an array of (n+1, 3) numbers, or `feed` is not a number.
+            If `points` is not an array of (n+1, 3) numbers within a kilometre of the origin, or `feed` is not a number.
         """
-        takes = "an array of (n+1, 3) numbers of mm"
-        points = np.array(numbers("points", points, takes, lambda array: array.size % 3 == 0)).reshape(-1, 3)
+        takes = "an array of (n+1, 3) numbers of mm within a kilometer"
+        points = np.array(numbers("points", points, takes, _are_points)).reshape(-1, 3)
         feed = number("feed", feed, "a number of mm/s")
         count = max(len(points) - 1, 0)
         return cls(

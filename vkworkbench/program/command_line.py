@@ -27,6 +27,7 @@ from vkworkbench.worker import processes
 
 _WRONG, _UNREAD, _STOPPED = 2, 1, 130  # Exit statuses of the command.
 _CONNECT = 30  # Time limit for connecting to a Dask scheduler, s.
+_MOST_PROCESSES = 256  # Most systems can start as many processes and threads.
 _AHEAD = 4  # Number of files that are submitted to the executor at the same time, for each process.
 _STANDARD_OUTPUT = "-"
 # Names of files that only this process can open, such as the shell's <(...). Names such as <(...) are refused, because
@@ -54,7 +55,7 @@ def main(arguments: list[str] | None = None) -> int:
     except _Wrong as error:
         print(f"vkworkbench: {error}", file=sys.stderr)
         return _WRONG
-    except BrokenPipeError:  # the program that reads the output, such as "| head", has ended
+    except (KeyboardInterrupt, BrokenPipeError):  # the program that reads the output, such as "| head", has ended
         return _STOPPED
     finally:
         _drop_unwritten()
@@ -228,7 +229,7 @@ def _executor(asked: argparse.Namespace, files: int) -> Iterator[tuple[Executor,
         with _cluster(asked.scheduler) as both:
             yield both
         return
-    jobs = min(asked.jobs or processes(), files)
+    jobs = min(asked.jobs or processes(), files, _MOST_PROCESSES)
     executor = ThreadPoolExecutor(jobs)  # each thread starts a process, and waits for the results of this process
     try:
         yield executor, _AHEAD * jobs

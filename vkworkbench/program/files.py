@@ -80,25 +80,41 @@ def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> It
 
 
 def _in_folder(folder: Path, left_out: list[Path]) -> Iterator[Path]:
-    closed: list[OSError] = []
+    closed: list[Path] = []
     walked: set[str] = set()
-    for root, folders, names in os.walk(folder, onerror=closed.append, followlinks=True):
-        place = os.path.realpath(root)
+    # `os.walk` calls itself for each subfolder before Python 3.12, so it cannot search a thousand nested folders.
+    waiting = [(folder, os.path.realpath(folder))]
+    while waiting:
+        folder, place = waiting.pop()
         if place in walked:  # the folder is a link to a folder that was searched before
-            folders.clear()
             continue
         walked.add(place)
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
-        for name in sorted(names):
-            path = Path(root, name)
-            if _is_endless(path):
+        try:
+            names = sorted(os.listdir(folder))
+        except OSError:
+            closed.append(folder)
+            continue
+        folders = []
+        for name in names:
+            path = Path(folder, name)
+            if os.path.isdir(path):
+                if not name.startswith("."):
+                    folders.append((path, _place_of(path, place)))
+            elif _is_endless(path):
                 continue
-            if is_called_a_program(name) or _looks_like_a_program(path):
+            elif is_called_a_program(name) or _looks_like_a_program(path):
                 yield path
             else:
                 left_out.append(path)
-    for error in closed:
-        yield Path(error.filename)
+        waiting += reversed(folders)
+    yield from closed
+
+
+def _place_of(path: Path, parent: str) -> str:
+    """Return the real path of a folder in a folder with the real path `parent`."""
+    if os.name == "nt" or os.path.islink(path):  # junctions of Windows are links, too
+        return os.path.realpath(path)
+    return os.path.join(parent, path.name)
 
 
 def is_called_a_program(name: str) -> bool:

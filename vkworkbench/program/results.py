@@ -14,6 +14,7 @@ import os
 import re
 import sys
 from collections.abc import Iterable
+from functools import partial
 from typing import BinaryIO
 
 from vkworkbench.report import OperationReport, cells_of
@@ -21,6 +22,8 @@ from vkworkbench.report import OperationReport, cells_of
 _LOCKED = (
     2**60
 )  # position of the byte that Windows locks; it is beyond the end of the file, so that other programs can read the file
+_LONGEST_LINE = 100_000_000  # bytes in a line of results; a longer line is not a result
+_NOT_A_RESULT = "it has a line that is not a result of this command"
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")
 
 
@@ -65,7 +68,7 @@ def _lock(file: io.FileIO | BinaryIO) -> None:
 class JsonLines:
     """One JSON object per line, in mm, s, rad and bytes, as in `OperationReport.as_dict`."""
 
-    header = b""
+    header, start = b"", b'{"'
 
     def line(self, row: OperationReport) -> bytes:
         return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
@@ -76,6 +79,8 @@ class JsonLines:
         A line without the form of a result raises ValueError, LookupError or TypeError.
         """
         row = json.loads(_text(line))
+        if not isinstance(row["document"], str):
+            raise TypeError(line)
         return row["document"], row["counted"]
 
 
@@ -84,7 +89,7 @@ class Csv:
 
     def __init__(self, names: Iterable[str]) -> None:
         self._names = list(names)
-        self.header = self._written(self._names)
+        self.header = self.start = self._written(self._names)
         self._columns = self._names.index("document"), self._names.index("counted")
 
     def line(self, row: OperationReport) -> bytes:
@@ -185,14 +190,21 @@ class Results:
             data = data[self._file.write(data) :]
         self._file.flush()
 
+    def _check_incomplete(self, line: bytes, *, first: bool) -> None:
+        """Raise ValueError unless a line without an end can be the last line of a run that was stopped."""
+        start = self._form.start
+        if len(line) >= _LONGEST_LINE or (first and not (line.startswith(start) or start.startswith(line))):
+            raise ValueError(_NOT_A_RESULT)
+
     def _keep(self, file: BinaryIO) -> int:
         """Fill `done` and `unread` from an existing file, and return the number of bytes to keep."""
         place, begin, last = 0, 0, None
         header = self._form.header
-        for line in file:
+        for line in iter(partial(file.readline, _LONGEST_LINE), b""):
             place += len(line)
             if not line.endswith(b"\n"):
-                break  # the last line is incomplete, because the previous run was stopped while it wrote this line
+                self._check_incomplete(line, first=place == len(line))
+                break
             if header:
                 if line != header:
                     raise ValueError("it has other columns")
@@ -201,8 +213,8 @@ class Results:
                 continue
             try:
                 document, read = self._form.document(line)
-            except (ValueError, LookupError, TypeError):
-                raise ValueError("it has a line that is not a result of this command") from None
+            except (ValueError, LookupError, TypeError, RecursionError):
+                raise ValueError(_NOT_A_RESULT) from None
             if document != last:
                 self.done.add(document)
                 if not read:

@@ -13,7 +13,19 @@ from pathlib import Path
 import numpy as np
 
 from vkworkbench import preferences
-from vkworkbench.core import Cut, Solid, Stock, Tool, Toolpath, View, ZBuffer, simulate_job, stock_around
+from vkworkbench.core import (
+    Cut,
+    Cylinder,
+    Mesh,
+    Solid,
+    Stock,
+    Tool,
+    Toolpath,
+    View,
+    ZBuffer,
+    simulate_job,
+    stock_around,
+)
 from vkworkbench.core.gcode import INCH, Section, at_line, read_program
 from vkworkbench.core.zbuffer import (
     TOLERANCE,
@@ -82,6 +94,12 @@ def simulate(
     """
     check_file_name(path)
     of_kind("tool", tool, (Tool, Mapping, type(None)), "a Tool(shape, diameter, ...), or tools by their numbers")
+    for one in tool.values() if isinstance(tool, Mapping) else ():
+        of_kind("each tool", one, Tool, "a Tool(shape, diameter, ...)")
+    of_kind("clamps", clamps, (Mapping, type(None)), "solids by their names")
+    for name, clamp in (clamps or {}).items():
+        of_kind("the name of a clamp", name, str, "a text")
+        of_kind("each clamp", clamp, (Stock, Cylinder, Mesh), "a solid: a Stock(lower, upper), a Cylinder or a Mesh")
     of_kind("view", view, (View, str, type(None)), "a View or the name of a direction")
     chosen = preferences.read()
     if isinstance(view, str):

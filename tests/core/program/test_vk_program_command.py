@@ -114,6 +114,13 @@ def test_processes_are_limited_to_one_per_file(folder, inside):
     assert done.returncode == 1 and done.stdout.count("Face") == 3
 
 
+def test_processes_are_limited_for_very_many_files():
+    """A system can start a few thousand processes. The command for 10,000 files must not ask for as many."""
+    asked = command_line._parser().parse_args(["folder", "--jobs", "10000"])
+    with command_line._executor(asked, 10_000) as (executor, ahead):
+        assert executor._max_workers == 256 and ahead == 4 * 256
+
+
 def test_file_name_cannot_control_the_terminal(tmp_path, inside):
     (tmp_path / "a\x1b[2J\nb.nc").write_text(PROGRAM)
     done = inside(tmp_path)
@@ -169,6 +176,20 @@ def test_existing_results_are_replaced_unless_resumed(folder, tmp_path, kind, in
     assert b"c.nc" in out.read_bytes() and b"a.nc" not in out.read_bytes()
 
 
+@pytest.mark.parametrize(("kind", "content"), [
+    ("--csv", b"notes of the user, without a line end"), ("--csv", b"\xff\xfe\0"), ("--json-lines", b"notes"),
+    ("--json-lines", b"[" * 100_000 + b"\n"), ("--json-lines", b'{"document": ["x"], "counted": 1}\n'),
+    ("--json-lines", b'{"document": ' + b"9" * 10_000 + b', "counted": 1}\n'),
+])  # fmt: skip
+def test_resume_option_keeps_a_file_without_results(folder, tmp_path, kind, content, inside):
+    out = tmp_path / "out"
+    out.write_bytes(content)
+    done = inside(folder, kind, out, "--resume")
+    assert done.returncode == 2
+    assert done.stderr == f"vkworkbench: cannot continue {out}: it has a line that is not a result of this command\n"
+    assert out.read_bytes() == content
+
+
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
 def test_file_names_with_umlauts_are_written_as_read(folder, tmp_path, kind, inside):
     named = tmp_path / "Größe 型腔.nc"
@@ -197,6 +218,10 @@ def test_wrong_arguments_get_a_helpful_error(folder, tmp_path, inside):
     other.write_text("a,b\n1,2\n")
     empty = tmp_path / "empty"
     empty.mkdir()
+    pipe, long, slow = tmp_path / "pipe", tmp_path / "long", tmp_path / "slow"
+    os.mkfifo(pipe)
+    long.write_text("$110=3000\n" * 11_000)
+    slow.write_text("$110=1e-300\n")
     for arguments, words in (
         ((empty,), f"no NC programs in {empty}"),
         (("",), "no file is named"),
@@ -211,6 +236,10 @@ def test_wrong_arguments_get_a_helpful_error(folder, tmp_path, inside):
         ((folder, "--json-lines", folder / "a.nc"), "give the file of results another name"),
         ((folder, "--csv", folder / "a.nc.gz"), f"{folder / 'a.nc.gz'} has the suffix of an NC program"),
         ((folder, "--jobs", "0"), "invalid value '0': it takes a whole number above 0"),
+        ((folder, "--machine", "/dev/zero"), "no machine '/dev/zero'"),
+        ((folder, "--machine", pipe), f"no machine '{pipe}'"),
+        ((folder, "--machine", long), f"no machine '{long}'"),
+        ((folder, "--machine", slow), "rates must be three numbers from 1e-06 to 1e+09"),
         ((folder, "--timeout", "soon"), "invalid value 'soon': it takes a number above 0"),
         ((), "required: FILE|FOLDER"),
     ):
@@ -439,6 +468,16 @@ def test_stop_message_says_how_to_resume(folder, tmp_path, inside, monkeypatch):
     ):
         done = inside(folder, *asked)
         assert done.returncode == 130 and done.stderr.splitlines()[-1] == f"Stopped after 0 of 4 files{goes_on}."
+
+
+@pytest.mark.parametrize(("name", "option"), [("find_programs", ()), ("simulate_programs", ("--simulate",))])
+def test_ctrl_c_ends_search_and_simulation_quietly(folder, name, option, inside, monkeypatch):
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command_line, name, stop)
+    done = inside(folder, *option)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "")
 
 
 @pytest.mark.long

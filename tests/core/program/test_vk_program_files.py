@@ -3,6 +3,7 @@
 
 import csv
 import gzip
+import inspect
 import json
 import lzma
 import os
@@ -158,17 +159,30 @@ def test_linked_folders_are_searched_once(tmp_path):
     assert [str(path.relative_to(p)) for path in found] == ["a.nc", "z.nc", "linked/c.nc", "q/b.nc"]
 
 
+def test_folders_nested_deeper_than_function_calls_are_searched(tmp_path):
+    folder = Path(tmp_path, *150 * "d")
+    folder.mkdir(parents=True)
+    (folder / "a.nc").touch()
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(len(inspect.stack()) + 100)
+    try:
+        found = list(find_programs([tmp_path], []))
+    finally:
+        sys.setrecursionlimit(limit)
+    assert found == [folder / "a.nc"]
+
+
 def test_unreadable_folder_has_a_remark(tmp_path, monkeypatch):
     (tmp_path / "closed").mkdir()
     (tmp_path / "a.nc").write_text(PROGRAM)
-    listed = os.scandir
+    listed = os.listdir
 
     def refuse(path):
         if Path(path).name == "closed":
             raise PermissionError(13, "Permission denied", str(path))
         return listed(path)
 
-    monkeypatch.setattr(os, "scandir", refuse)
+    monkeypatch.setattr(os, "listdir", refuse)
     rows = vkworkbench.analyze(tmp_path).operations
     assert [Path(row.document).name for row in rows] == ["a.nc", "a.nc", "closed"]
     assert rows[-1].error.startswith("The file cannot be read: ") and not rows[-1].counted
@@ -261,6 +275,8 @@ def test_report_on_no_files_is_empty(without_freecad):
 def test_objects_are_refused_without_freecad(without_freecad, what):
     with pytest.raises(TypeError, match=r"^without FreeCAD only NC programs .*: a file, a folder, or a list of them"):
         vkworkbench.analyze(what)
+    with pytest.raises(TypeError, match=r"^without FreeCAD only NC programs are simulated: the name of a file$"):
+        vkworkbench.simulate(what)
 
 
 def test_help_needs_no_freecad(without_freecad):
@@ -317,6 +333,18 @@ def test_dwells_are_in_the_time_of_their_operation(tmp_path):
     assert [(row.machining.seconds, row.machining.complete) for row in (first, second)] == [(10.6, True), (0.9, True)]
     path.write_text("G21 G90\nF600\nG1 X0 Y0 Z0\nG38.2 Z-5\nX50\n")
     assert not vkworkbench.analyze(path).operations[0].machining.complete
+
+
+@pytest.mark.parametrize("p", ["9" * 400, "9" * 12, "-1"])
+@pytest.mark.parametrize("line", ["G4 P{}", "G82 X9 Y9 Z-4 R2 P{}\nG80"])
+def test_impossible_dwell_is_not_in_the_time(tmp_path, p, line):
+    path = tmp_path / "dwell.nc"
+    path.write_text(f"G21 G90 F600\nG0 X0 Y0 Z5\nG1 Z-1\nX40\n{line.format(p)}\nG1 X0\n")
+    report = vkworkbench.analyze(path, machine="hobby-router")
+    (row,) = report.operations
+    assert row.machining.dwell_seconds == 0 and not row.machining.complete
+    assert [m.arguments["what"].code for m in row.machining.left_out if "what" in m.arguments] == ["dwell-untimed"]
+    assert ">= " in str(report)
 
 
 def test_each_operation_with_an_unknown_dwell_has_a_remark(tmp_path):

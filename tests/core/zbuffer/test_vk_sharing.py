@@ -293,6 +293,7 @@ def test_number_of_workers_is_limited_by_memory():
     assert helpers_within(needed, removal, len(path)) == 0 == helpers_within(0.0, removal, len(path))
     assert helpers_within(needed + 65e6, removal, len(path)) == 0
     assert helpers_within(needed + 2 * 90e6, removal, len(path)) == 2
+    assert helpers_within(np.inf, removal, len(path)) > 1000
 
 
 def test_scarce_memory_allows_only_one_process(workers):

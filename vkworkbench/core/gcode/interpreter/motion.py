@@ -107,7 +107,10 @@ def _note(machine: Machine, mode: int, parameters: dict[str, float], move: dict[
     if "L" in parameters and mode not in codes.CYCLES and machine.call is None:
         machine.problem(Message("word-not-read", letter="L"))
     if mode in codes.CYCLES and "P" in parameters:
-        machine.pause = dwell_of(parameters) or 0.0
+        seconds = dwell_of(parameters)
+        machine.pause = seconds or 0.0
+        if seconds is None:
+            machine.problem(Message("dwell-untimed"))
 
 
 def _note_y(machine: Machine, y: float) -> None:

@@ -14,10 +14,9 @@ import numpy as np
 from vkworkbench.core.gcode.moves import codes, cycles
 from vkworkbench.core.gcode.moves.unread import dwells, unread
 from vkworkbench.core.gcode.moves.words import Words
-from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, Problem
+from vkworkbench.core.toolpath import COORDINATE_LIMIT, PLANE_AXES, SLOWEST, Problem
 from vkworkbench.language import Message
 
-_SLOWEST_FEED = 1e-6  # mm/s, eleven days for a millimetre; a feed rate below this is an error.
 _COARSEST_PITCH = 10.0  # mm; a larger F word of a tap is a feed rate, not a pitch.
 _MOST_NAMED = 10  # Largest number of unknown codes that are named in messages; further unknown codes are only counted.
 
@@ -119,13 +118,13 @@ class ModalState:
 
     def _feed(self) -> np.ndarray:
         values, unusable = self.words.column("F")
-        unusable |= (values != 0) & (values < _SLOWEST_FEED)
+        unusable |= (values != 0) & (values < SLOWEST)
         self.problems.add(np.flatnonzero(unusable), Message("unusable-feed"))
         tapping = np.flatnonzero(np.isin(self.motion, codes.TAPPING) & (values <= _COARSEST_PITCH))
         if len(tapping):  # A FreeCAD tap has the pitch in F and the speed in S; the feed rate is their product.
             speed = self.words.column("S", tapping)[0]  # Speed in turns/min.
             values[tapping] *= np.where(speed > 0, speed / 60, 1)
-        setter = _last(values >= _SLOWEST_FEED)
+        setter = _last(values >= SLOWEST)
         per_minute = _mode(self.words, {codes.INVERSE_TIME: 0, codes.PER_MINUTE: 1, codes.PER_TURN: 0}, 1) == 1
         return np.where((setter >= 0) & per_minute, values[setter], 0.0)
 

@@ -31,7 +31,9 @@ _READ = frozenset("XYZIJKRQF" + "GMNSTDH" + "LP")
 _INCHES = 200
 _CORNERS = frozenset("IJKR")  # With I, J, K or R in a straight move, some controls round or chamfer the next corner.
 # Largest P word of a dwell that is read as seconds. A larger P word is read as ms, as on Fanuc controls.
-_LONGEST_DWELL = 60.0
+_MOST_SECONDS = 60.0
+# Longest dwell, s: eleven days. A longer dwell is an error, and would be infinite if its number has 400 digits.
+_LONGEST = 1e6
 _M_CODE = re.compile(r"\s*[Mm]0*(2|30|97|98|198)(?:\.0*)?\s*", re.ASCII)
 
 
@@ -102,12 +104,14 @@ def dwells(words: Words, motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def dwell_of(values: Mapping[str, float]) -> float | None:
     """Return the time of a dwell from the words of its line, s; None without a usable time."""
     if "P" in values:
-        return float(_in_seconds(values["P"])) if values["P"] >= 0 else None
-    return next((values[letter] for letter in "XUF" if values.get(letter, -1.0) >= 0), None)
+        given = [float(_in_seconds(values["P"]))]
+    else:
+        given = [values[letter] for letter in "XUF" if letter in values]
+    return next((seconds for seconds in given if 0 <= seconds <= _LONGEST), None)
 
 
 def _in_seconds(p: Any) -> Any:
-    return np.where(p > _LONGEST_DWELL, p / 1000, p)
+    return np.where(p > _MOST_SECONDS, p / 1000, p)
 
 
 def _given(words: Words, letter: str) -> np.ndarray:
