@@ -85,8 +85,8 @@ class Machine:
         object.__setattr__(self, "factor", number("factor", self.factor, takes, _is_speed))
         takes = f"a number from 0 to {_MOST_OTHER:g}"
         for name in ("deviation", "tool_change", "spindle_start"):
-            given = number(name, getattr(self, name), takes, lambda value: 0 <= value <= _MOST_OTHER)
-            object.__setattr__(self, name, given)
+            value = number(name, getattr(self, name), takes, lambda value: 0 <= value <= _MOST_OTHER)
+            object.__setattr__(self, name, value)
         takes = f"a whole number of moves, from 1 to {_MOST:g}"
         moves = whole("lookahead", self.lookahead, takes, lambda moves: 1 <= moves <= _MOST)
         object.__setattr__(self, "lookahead", moves)
