@@ -152,8 +152,24 @@ def test_narrow_pill_drops_machining_time_before_simulation():
         [True, True, True, False, True],
         [False, True, False, True, True],
         [False, False, False, True, True],
-        [False, False, False, False, True],
         [False, False, False, False, False],
+    ]
+
+
+def test_narrow_pill_of_a_job_is_shortened_before_its_times():
+    record = record_of(3000, strategy=None, operations=9, machining_seconds=999.0)
+    texts = []
+    for room in range(600, 10, -5):
+        shown = layout(record, room=room, mark_simulator="legacy", time_budget=600.0)
+        text = " ".join([piece.text for piece in shown.pieces] + shown.text.split())
+        if text not in texts:
+            texts.append(text)
+    time = f"sim {user().time(3000, 1.3)}"
+    assert [[part in text for part in ("9 operations", "9", "16:39", time)] for text in texts] == [
+        [True, True, True, True],
+        [False, True, True, True],
+        [False, True, False, True],
+        [False, True, False, False],
     ]
 
 

@@ -50,8 +50,14 @@ class Column:
         value = self.value(row)
         if value is None:
             return ""
-        text = user().estimated_time(value, self.factor(row)) if self.factor else self.shown(value)
-        return ("≥ " if self.least(row) else "") + text
+        least = self.least(row)
+        if not self.factor:
+            text = self.shown(value)
+        elif least:
+            text = user().time(value, self.factor(row))
+        else:
+            text = user().estimated_time(value, self.factor(row))
+        return f"≥ {text}" if least else text
 
     def remark(self, row: Row) -> str:
         """Return the range of a roughly estimated time and the note on the row's value as text; empty without both."""

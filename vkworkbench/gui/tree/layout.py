@@ -2,7 +2,7 @@
 """Lay out a mark (strategy, times and warning sign) in a cell of FreeCAD's tree.
 
 In a narrow cell the strategy and the warning sign have the highest priority, then the time of the simulation, then the
-time on the machine. Remarks and the user's own words are shown as far as there is room.
+time on the machine. The pill of a job is shortened to the number of its operations before a time is left out. Remarks and the user's own words are shown as far as there is room.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     outdated = translate("Pills", "outdated") if record.outdated else ""
     rest = "  ".join(filter(None, [outdated, remark, words]))
 
-    def layout(*times: str) -> Layout:
+    def layout(name: str, *times: str) -> Layout:
         shown = Layout(metrics)
         if is_error:
             shown.add("error", "", *ERROR)
@@ -123,23 +123,27 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
             shown.add("warning", "", *WARNING)
         return shown
 
-    machine, about, named, plain = _times(record, chosen)
-    full = layout(machine, about)
+    machine, about, plain = _times(record, chosen)
+    full = layout(name, machine, about)
     full.say_more(rest)
-    shorter = ((machine, named), ("", named), ("", plain), ("", ""))
-    return [full, *(layout(*times) for times in shorter)] if has_pill else [full]
+    short = name if record.strategy is not None else _count_of(record)
+    shorter = ((name, machine, plain), (short, machine, plain), (short, "", plain), (short, "", ""))
+    return [full, *(layout(*texts) for texts in shorter)] if has_pill else [full]
 
 
-def _times(record: Record, chosen: Preferences) -> tuple[str, str, str, str]:
-    """Return the time on the machine, and three texts for the time of the simulation, the longest text first."""
+def _times(record: Record, chosen: Preferences) -> tuple[str, str, str]:
+    """Return the time on the machine, and the time of the simulation with and without "about".
+
+    The simulation's time always has its name, because a time alone would be read as the time on the machine.
+    """
     reader = user()
     machine = machine_time_of(record, reader)
     about, cost = time_of(record, chosen, reader), record.cost(chosen.simulator)
     if not about:
-        return machine, "", "", ""
-    plain = reader.time(cost[0], record.factor(chosen.simulator))
+        return machine, "", ""
     named = translate("Pills", "sim {time}")
-    return machine, named.format(time=about), named.format(time=plain), plain
+    plain = about if record.incomplete else reader.time(cost[0], record.factor(chosen.simulator))
+    return machine, named.format(time=about), named.format(time=plain)
 
 
 def _is_error(record: Record) -> bool:
@@ -166,7 +170,16 @@ def pill_text(record: Record) -> str:
     """Return the text of a mark's pill, in the user's language."""
     if record.strategy is None:
         one, more = translate("Pills", "{} operation"), translate("Pills", "{} operations")
-        times = f" x{record.fixtures}" if record.fixtures > 1 else ""  # e.g. "x2" for a job with two work offsets
-        return (one if record.operations == 1 else more).format(user().count(record.operations)) + times
+        return (one if record.operations == 1 else more).format(user().count(record.operations)) + _times_posted(record)
     name = kind_of(record)
     return f"{name} {user().share(record.confidence)}" if is_unsure(record) else name
+
+
+def _count_of(record: Record) -> str:
+    """Return the number of a job's operations as text, for a narrow pill."""
+    return user().count(record.operations) + _times_posted(record)
+
+
+def _times_posted(record: Record) -> str:
+    """Return the number of a job's work offsets as text, such as " x2"; empty for one work offset."""
+    return f" x{record.fixtures}" if record.fixtures > 1 else ""
