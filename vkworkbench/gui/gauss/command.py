@@ -42,7 +42,7 @@ def show() -> None:
 
         docks.add(GaussMapDock(Gui.getMainWindow()), _HEIGHT)
     else:
-        docks.show(dock)
+        docks.show(dock, _HEIGHT)
 
 
 GaussMapCommand.add()

@@ -19,6 +19,7 @@ from vkworkbench.gui.gauss.reading import Reading, read
 from vkworkbench.gui.gauss.theme import Theme
 from vkworkbench.gui.qt import docks
 from vkworkbench.gui.qt.background import Background, Busy
+from vkworkbench.gui.qt.language_change import LanguageChange
 from vkworkbench.gui.qt.names import (
     QColor,
     QComboBox,
@@ -41,7 +42,7 @@ from vkworkbench.gui.qt.names import (
     QWidget,
     single_shot,
 )  # fmt: skip
-from vkworkbench.gui.qt.plain_text import WholeText, as_plain, warn
+from vkworkbench.gui.qt.plain_text import WholeText, as_plain, shortened, warn
 from vkworkbench.gui.qt.saving import proposed
 from vkworkbench.gui.qt.sentences import sentence, strategy_name, user
 from vkworkbench.gui.qt.text import explain, translate
@@ -57,14 +58,23 @@ class GaussMapDock(QDockWidget):
     """Shows the plots of the selected operation, at first for the area that explains its strategy best."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(translate("Vk_GaussMap", "Gauss Map"), parent)
+        super().__init__(parent)
         self.setObjectName(docks.GAUSS_MAP)
         self._shown: tuple[str, str] | None = None  # names of the shown document and operation
         self._reading: Reading | None = None
         self._background = Background(self)
-        self.busy = Busy(self._background)
         self._recolor, self._later = single_shot(self._take_colors, self), single_shot(self.refresh, self)
+        self._build()
+        self._language = LanguageChange(self._translate, self)
 
+        Gui.Selection.addObserver(self)
+        FreeCAD.addDocumentObserver(self)
+        self.visibilityChanged.connect(lambda visible: self._later.start())
+
+    def _build(self) -> None:
+        """Make the contents of the dock, in FreeCAD's language."""
+        self.setWindowTitle(translate("Vk_GaussMap", "Gauss Map"))
+        self.busy = Busy(self._background)
         self.title, self.values, self.legend = QLabel(), QLabel(), QLabel()
         as_plain(self.title)
         for label in (self.title, self.values, self.legend):
@@ -108,9 +118,13 @@ class GaussMapDock(QDockWidget):
         self.setWidget(self._laid_out())
         self._enable(False)
 
-        Gui.Selection.addObserver(self)
-        FreeCAD.addDocumentObserver(self)
-        self.visibilityChanged.connect(lambda visible: self._later.start())
+    def _translate(self) -> None:
+        """Make the contents of the dock again, in FreeCAD's new language, and show the selected operation."""
+        before = self.widget()
+        self._say_nothing()
+        self._build()
+        before.deleteLater()
+        self._later.start()
 
     def _laid_out(self) -> QWidget:
         """Return the dock's widgets in a scroll area, because a small screen is too low for all widgets."""
@@ -236,7 +250,7 @@ class GaussMapDock(QDockWidget):
         self.canvas.show_figure(figure)
         reached = _reached(found.phi_range, found.level, found.reversals)
         here = _reached(signature.phi_range, signature.top_level, len(signature.reversals))
-        texts = [f"{self._label}: {self._verdict()}. {sentence(found.why)}", reached]
+        texts = [f"{shortened(self._label)}: {self._verdict()}. {sentence(found.why)}", reached]
         if here != reached:
             texts.append(translate("Vk_GaussMap", "This area: {}").format(here))
         self.title.setText("\n".join(texts))

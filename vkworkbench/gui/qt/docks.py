@@ -18,10 +18,7 @@ def find(name: str) -> QDockWidget | None:
 
 
 def add(dock: QDockWidget, height: int) -> None:
-    """Show a new dock at the bottom of the window, as a tab if another dock is there.
-
-    The height of the dock is `height` px, but at most a third of the window's height, to leave room for the 3D view.
-    """
+    """Show a new dock at the bottom of the window, as a tab if another dock is there; see `show`."""
     window = Gui.getMainWindow()
     others = _at_the_bottom(dock)
     window.addDockWidget(Qt.BottomDockWidgetArea, dock)
@@ -29,8 +26,7 @@ def add(dock: QDockWidget, height: int) -> None:
     for other in others:
         if other.objectName() in (RESULTS, GAUSS_MAP) and other.isHidden():  # a dock opened later must be a tab, too
             window.tabifyDockWidget(dock, other)
-    show(dock)
-    window.resizeDocks([dock], [min(height, window.height() // 3)], Qt.Vertical)
+    show(dock, height)
 
 
 def make_room(height: int) -> None:
@@ -45,14 +41,21 @@ def make_room(height: int) -> None:
         window.resizeDocks(bottom, [1] * len(bottom), Qt.Vertical)
 
 
-def show(dock: QDockWidget) -> None:
-    """Show a dock in front of all tabs, even if another dock was opened at its place while it was closed."""
+def show(dock: QDockWidget, height: int) -> None:
+    """Show a dock in front of all tabs, even if another dock was opened at its place while it was closed.
+
+    A dock at the bottom becomes `height` px high if it was lower, but at most a third of the window's height, to leave
+    room for the 3D view. A simulation tab may have made the dock lower.
+    """
     window = Gui.getMainWindow()
     _keep_tree_high()
     if dock.isHidden() and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:
         _join(dock, _at_the_bottom(dock))
     dock.show()
     dock.raise_()
+    height = min(height, window.height() // 3)
+    if dock.height() < height and not dock.isFloating() and window.dockWidgetArea(dock) == Qt.BottomDockWidgetArea:
+        window.resizeDocks([dock], [height], Qt.Vertical)
 
 
 def _keep_tree_high() -> None:

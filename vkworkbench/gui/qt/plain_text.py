@@ -28,12 +28,18 @@ from vkworkbench.gui.qt.names import (
 
 _BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:[^\W\d_]{1,3}|%)(?!\w))")
 _UNBROKEN = "\u00a0"
+_LABEL = 40  # maximum number of characters of a label within a sentence
 _SHOWN = 10_000  # ms for which the status bar shows a message
 
 
 def as_html(text: str) -> str:
     """Return HTML that shows a text literally, for tooltips."""
     return in_paragraph(lines(text))
+
+
+def shortened(label: str) -> str:
+    """Return a label; the middle of a long label is replaced by "…", so that the text beside the label is visible."""
+    return label if len(label) <= _LABEL else f"{label[: _LABEL // 2]}…{label[-_LABEL // 2 :]}"
 
 
 def lines(text: str) -> str:

@@ -48,7 +48,7 @@ def show() -> None:
         dock = ResultsDock(Gui.getMainWindow())
         docks.add(dock, _HEIGHT)
     else:
-        docks.show(dock)
+        docks.show(dock, _HEIGHT)
     dock.refresh_soon()
 
 

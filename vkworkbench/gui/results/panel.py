@@ -11,6 +11,7 @@ from vkworkbench.document.job import results
 from vkworkbench.document.marks.properties import MARK
 from vkworkbench.gui.qt import colors, docks, progress
 from vkworkbench.gui.qt.colors import readable
+from vkworkbench.gui.qt.language_change import LanguageChange
 from vkworkbench.gui.qt.names import (
     QAction,
     QApplication,
@@ -47,14 +48,24 @@ class ResultsDock(QDockWidget):
     """Shows the results of the active document. Selecting a row selects its object in FreeCAD, and vice versa."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(translate("Vk_Results", "Toolpath Results"), parent)
+        super().__init__(parent)
         self.setObjectName(docks.RESULTS)
         self._findings: list[findings.Finding] = []
         self._following = False  # whether this class, not the user, changes the rows and selection
         self._opened: set[str] = set()  # targets of the links in the details that the user has opened, such as "Why?"
         self._stale = single_shot(self.refresh, self)
         self._selected = single_shot(self._follow, self)
+        self._build()
+        self._language = LanguageChange(self._translate, self)
 
+        Gui.Selection.addObserver(self)
+        FreeCAD.addDocumentObserver(self)
+        preferences.observe(lambda name: self._stale.start())
+        self.visibilityChanged.connect(lambda visible: self._stale.start())
+
+    def _build(self) -> None:
+        """Make the contents of the dock, in FreeCAD's language."""
+        self.setWindowTitle(translate("Vk_Results", "Toolpath Results"))
         self.model = ResultsModel(self)
         self.order = ResultsOrder(self)
         self.order.setSourceModel(self.model)
@@ -99,10 +110,13 @@ class ResultsDock(QDockWidget):
         self.setWidget(body)
         self.setFocusProxy(self.tree)
 
-        Gui.Selection.addObserver(self)
-        FreeCAD.addDocumentObserver(self)
-        preferences.observe(lambda name: self._stale.start())
-        self.visibilityChanged.connect(lambda visible: self._stale.start())
+    def _translate(self) -> None:
+        """Make the contents of the dock again, in FreeCAD's new language."""
+        before = self.widget(), self.order, self.model
+        self._build()
+        for old in before:
+            old.deleteLater()
+        self.refresh_soon()
 
     def _action(self, text: str, work) -> QAction:
         action = QAction(text, self)

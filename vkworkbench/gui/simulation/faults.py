@@ -12,6 +12,7 @@ from vkworkbench.core.zbuffer import PENDING, TOLERANCE, Deviation, Verdict, wor
 from vkworkbench.document.simulation.faults import keep_faults, keep_verdict
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import docks
+from vkworkbench.gui.qt.plain_text import shortened
 from vkworkbench.gui.qt.sentences import sentence, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.moment import Clock
@@ -116,7 +117,7 @@ class KnownFaults:
             return translate("Vk_Simulate", "Stock: {}").format(sentence(fault.what))
         text = translate("Vk_Simulate", "{}, command {} ({}): {}")
         label, code = self.job.operations[fault.cut].label, self.job.listings[fault.cut][fault.command]
-        return text.format(label, fault.command + 1, code, sentence(fault.what))
+        return text.format(shortened(label), fault.command + 1, code, sentence(fault.what))
 
     def text_with_place(self, fault: Fault) -> str:
         """Return a fault as text with its position, which distinguishes several faults of one command."""

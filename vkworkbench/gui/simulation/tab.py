@@ -13,6 +13,7 @@ from vkworkbench.document.computer import garbage, idle
 from vkworkbench.document.simulation.copy import JobCopy
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.gui.qt import widgets
+from vkworkbench.gui.qt.language_change import LanguageChange
 from vkworkbench.gui.qt.names import QPainter, QPushButton, Qt, QTimer, QVBoxLayout, QWidget, Signal, single_shot
 from vkworkbench.gui.qt.plain_text import inform
 from vkworkbench.gui.qt.text import translate
@@ -41,7 +42,7 @@ class SimulationTab(KeyedWidget):
     player : Player or None
         None while the job is being read.
     outdated : Signal
-        The document has changed, and the user asked for a new simulation.
+        A new tab is needed: the user asked for a new simulation of the changed document, or changed the language.
     """
 
     outdated = Signal()
@@ -63,6 +64,7 @@ class SimulationTab(KeyedWidget):
         self._asked.setSingleShot(True)
         self._asked.setInterval(_SELECTED)
         self.keys = {int(Qt.Key_Escape): self._leave}
+        self._language = LanguageChange(self.outdated.emit, self)
         FreeCAD.addDocumentObserver(self)
         self.reading = Reading(copy)
         self.reading.read.connect(self._simulate)

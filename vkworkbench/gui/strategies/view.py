@@ -20,6 +20,7 @@ from vkworkbench import freecad
 from vkworkbench.document.job.operations import find, is_operation, names_of
 from vkworkbench.document.job.recognition import Source, source_of
 from vkworkbench.gui.qt.background import Background, Busy
+from vkworkbench.gui.qt.language_change import LanguageChange
 from vkworkbench.gui.qt.names import single_shot
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.strategies.legend import Legend
@@ -95,6 +96,7 @@ class _Drawer:
         self.busy = Busy(self._background)
         self.busy.button.clicked.connect(self._give_up)
         Gui.getMainWindow().statusBar().addPermanentWidget(self.busy)
+        self._language = LanguageChange(_name_colors, Gui.getMainWindow())
         self._pending: dict[Key, None] = {}
         self._at_work: list[Key] = []
         self._later = single_shot(self._read)
@@ -203,6 +205,12 @@ def show(document, cancelled: Callable) -> None:
     _shown[document.Name] = _Shown(document.Name)
     # A link in a job's group is not drawn here: FreeCAD draws it as a copy of the coloured operation.
     _drawer.draw(filter(is_operation, (operation.object for operation in find(document))))
+
+
+def _name_colors() -> None:
+    """Show the legends of all documents again, in FreeCAD's language."""
+    for shown in _shown.values():
+        shown.name_colors()
 
 
 def hide(document) -> None:
