@@ -21,7 +21,7 @@ except ImportError:
 import vkworkbench
 from vkworkbench import freecad, preferences
 from vkworkbench.document.marks import marks
-from vkworkbench.document.marks.better_way import too_long
+from vkworkbench.document.marks.slow_simulation import too_long
 from vkworkbench.document.marks.text import Burden, burden, is_warned, time_of
 from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.colors import readable

@@ -8,6 +8,7 @@ import dead_widgets
 import FreeCADGui as Gui
 import Path
 import pytest
+from cases import first_everywhere
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
@@ -16,7 +17,6 @@ from vkworkbench.gui.simulators import panels as simulator_panels
 from vkworkbench.gui.simulators.warning import OpenPanel
 
 OLD = freecad.version() < (1, 0, 0)
-needs_opengl = pytest.mark.skipif(OLD, reason="FreeCAD 0.20 has no OpenGL simulator")
 
 
 @pytest.fixture(autouse=True)
@@ -88,13 +88,6 @@ def let_hang(document, label):
     return obj, obj.Path.Size - 1
 
 
-def budget_between(document, low, high):
-    """Set the time budget between two values that functions compute from the costs of the job."""
-    costs = marks.read(document.getObject("Job")).costs
-    assert low(costs) < high(costs)
-    preferences.write(time_budget=(low(costs) * high(costs)) ** 0.5)
-
-
 @pytest.mark.long
 def test_warning_is_not_shown_within_the_budget(marked, window):
     preferences.write(time_budget=1e5)
@@ -103,23 +96,25 @@ def test_warning_is_not_shown_within_the_budget(marked, window):
         _close(window)
 
 
-@pytest.mark.long
-def test_warning_of_a_long_play_offers_fast_forward(marked, window):
-    budget_between(marked, lambda c: c["legacy"].seconds, lambda c: c["legacy"].play_seconds)
-    line = warned(window, "legacy")
+@pytest.mark.parametrize("simulator", first_everywhere(freecad.own_simulators()))
+def test_warning_of_a_long_play_opens_the_simulation_tab(marked, window, simulator):
+    preferences.write(time_budget=0.1)
+    line = warned(window, simulator)
     Gui.activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     window.screenshot("warning-play")
-    assert line.text.text().startswith("Playing this simulation takes about ") and line.way.text() == "Fast-forward"
+    text = line.text.text().replace("\u00a0", " ")
+    assert text.startswith("Playing this simulation takes about ") and text.endswith("at once, coarse at first.")
+    assert freecad.simulator_title(simulator) in text
     # A non-breaking space keeps number and unit in one line.
     assert not re.search(r"\d (?:ms|s|min|h)\b", line.text.text())
     assert not line.isModal() and not window.boxes()
     assert line.text.height() >= line.text.heightForWidth(line.text.width())
-    button = simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonFF")
     window.click_on(line.way)
-    assert lines(window) == [] and not button.isEnabled()  # fast-forward has begun, so its button is disabled
-    window.click_on(simulator_panel(window).findChild(QtGui.QToolButton, "toolButtonPause"))
-    window.wait(button.isEnabled)
+    window.wait(lambda: any(t.windowTitle().startswith("Simulation") for t in window.find(QtGui.QMdiSubWindow)))
+    assert lines(window) == [] and not Gui.Control.activeDialog()
+    # After closing the panel, the document has no objects that the legacy simulator made.
+    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]
 
 
 def test_warning_is_hidden_without_a_panel_or_ticked_operations(marked, window):
@@ -179,24 +174,6 @@ def test_warning_names_an_operation_that_hangs_the_simulator(marked, window):
     line = warned(window, "legacy")
     window.screenshot("warning-hangs")
     assert f"command {command + 1} of Bore" in line.text.text().replace("\u00a0", " ")
-    if OLD:
-        assert line.way.text() == "Simulate Toolpaths"
-    else:
-        assert line.way.text() == f"Use the {freecad.simulator_title('OpenGL')}"
-    window.click_on(line.way)
-    if OLD:
-        window.wait(lambda: any(t.windowTitle().startswith("Simulation") for t in window.find(QtGui.QMdiSubWindow)))
-        assert not Gui.Control.activeDialog()
-    else:
-        window.wait(
-            lambda: (
-                simulator_panel(window) is not None
-                and simulator_panels.simulator_of(simulator_panel(window)) == "OpenGL"
-            )
-        )
-    # After closing the panel, the document has no objects that the legacy simulator made.
-    assert not [o for o in marked.Objects if o.Name.startswith("Cut")]
-    window.screenshot("warning-hangs-taken")
 
 
 @pytest.mark.long
@@ -217,28 +194,6 @@ def test_no_warning_without_marks_or_when_switched_off(marked, window):
     preferences.write(warn_of_simulators=True)
     Gui.runCommand("Vk_Clear")
     assert start(window, "legacy") == []
-
-
-@needs_opengl
-def test_warning_for_opengl_offers_a_faster_simulator(marked, window):
-    """The warning offers the legacy simulator if fast-forward is within the budget, otherwise the simulation tab."""
-    costs = marks.read(marked.getObject("Job")).costs
-    legacy, opengl = costs["legacy"].seconds, costs["OpenGL"].seconds
-    preferences.write(time_budget=max(0.5 * opengl, 0.1))
-    line = warned(window, "OpenGL")
-    window.screenshot("warning-opengl")
-    taken = "Simulate Toolpaths" if legacy > 0.5 * opengl else f"Use the {freecad.simulator_title('legacy')}"
-    assert line.way.text() == taken and freecad.simulator_title("OpenGL") in line.text.text()
-    window.click_on(line.way)
-    if legacy > 0.5 * opengl:
-        window.wait(lambda: any(t.windowTitle().startswith("Simulation") for t in window.find(QtGui.QMdiSubWindow)))
-    else:
-        window.wait(
-            lambda: (
-                simulator_panel(window) is not None
-                and simulator_panels.simulator_of(simulator_panel(window)) == "legacy"
-            )
-        )
 
 
 def test_every_way_to_start_a_simulator_shows_the_warning(marked, window):

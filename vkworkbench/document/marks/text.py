@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-from vkworkbench.core.simulators import Caution
+from vkworkbench.core.simulators import LEGACY, Caution
 from vkworkbench.document.marks.record import Record
 from vkworkbench.language import ENGLISH, Reader, render
 from vkworkbench.preferences import Preferences
@@ -32,6 +32,17 @@ def burden(record: Record, chosen: Preferences) -> Burden:
     return Burden.OVER if share > 1 else Burden.NEAR if share > _NEAR else Burden.FINE
 
 
+def is_long_play(record: Record, chosen: Preferences) -> bool:
+    """Return whether playing a whole job in the legacy simulator of the preferences takes longer than the budget.
+
+    The mark shows the shorter time of fast-forward. Operations have a caution about a long play instead.
+    """
+    cost = record.costs.get(LEGACY.name)
+    if record.strategy is not None or chosen.simulator != LEGACY.name or cost is None:
+        return False
+    return bool(cost.play_seconds > chosen.time_budget)
+
+
 def is_serious(caution: Caution, chosen: Preferences) -> bool:
     """Return whether a caution says that the simulator of the preferences hangs or needs more than the budgets."""
     return caution.code in SERIOUS and caution.what.arguments.get("simulator") == chosen.simulator
@@ -44,7 +55,7 @@ def is_warned(record: Record, chosen: Preferences) -> bool:
     if record.verdict is not None and not record.verdict.is_sound:
         return True
     known = record.remarks or record.called or any(is_serious(caution, chosen) for caution in record.cautions)
-    return burden(record, chosen) is Burden.OVER or bool(known)
+    return burden(record, chosen) is Burden.OVER or is_long_play(record, chosen) or bool(known)
 
 
 def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> str:
@@ -52,8 +63,8 @@ def time_of(record: Record, chosen: Preferences, reader: Reader = ENGLISH) -> st
     cost = record.cost(chosen.simulator)
     if not cost:
         return ""
-    time = reader.estimated_time(cost[0], record.factor(chosen.simulator))
-    return f"≥ {time}" if record.incomplete else time
+    factor = record.factor(chosen.simulator)
+    return f"≥ {reader.time(cost[0], factor)}" if record.incomplete else reader.estimated_time(cost[0], factor)
 
 
 def machine_time_of(record: Record, reader: Reader = ENGLISH) -> str:

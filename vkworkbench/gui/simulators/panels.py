@@ -51,14 +51,6 @@ def chosen_in(panel: QWidget) -> tuple[object, list]:
     return job, [obj for row, obj in enumerate(operations) if listed.item(row).checkState() == Qt.Checked]
 
 
-def tick(panel: QWidget, operations: list) -> None:
-    """Tick these operations in a simulator's panel, and untick all other operations."""
-    job, _ = chosen_in(panel)
-    listed = panel.findChild(QListWidget, "listOperations")
-    for row, obj in enumerate(filter(is_active, freecad.OPERATIONS.of(job).OutList)):
-        listed.item(row).setCheckState(Qt.Checked if obj in operations else Qt.Unchecked)
-
-
 def close() -> None:
     """Close a simulator's panel by its own button, which also removes the simulator's objects from the document."""
     docks = [dock for dock in widgets.docks() if dock.objectName() in freecad.TASK_DOCKS]

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A warning line over the 3D view, shown if a simulator of FreeCAD that the user opens would hang or take too long.
 
-The line does not block the window, and offers a faster way. The warning uses only marks in the tree that are
+The line does not block the window, and offers this add-on's simulation, which is faster. The warning uses only marks in the tree that are
 not outdated.
 """
 
 from __future__ import annotations
 
 import FreeCAD
-import FreeCADGui as Gui
 
-from vkworkbench import freecad, preferences
-from vkworkbench.document.marks import better_way, marks
-from vkworkbench.document.marks.better_way import BetterWay
+from vkworkbench import preferences
+from vkworkbench.document.marks import marks
+from vkworkbench.document.marks.slow_simulation import warning_at_start
 from vkworkbench.gui.qt import widgets
 from vkworkbench.gui.qt.names import (
     QComboBox,
@@ -30,9 +29,10 @@ from vkworkbench.gui.qt.names import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import as_plain, unbroken
-from vkworkbench.gui.qt.sentences import sentence, user
+from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.gui.simulators import panels as simulator_panels
+from vkworkbench.language import Message
 
 NAME = "VkSimulatorWarning"
 _MARGIN = 8  # px between the warning line and the edges of the 3D view
@@ -49,7 +49,7 @@ QToolButton:hover, QToolButton:focus { background-color: #f0dca0; }
 
 
 class Line(QFrame):
-    """The warning line: a text, a button that starts the faster way, and a button that closes the line."""
+    """The warning line: a text, a button for the simulation tab, and a button that closes the line."""
 
     def __init__(self, area: QMdiArea) -> None:
         super().__init__(area)
@@ -57,7 +57,7 @@ class Line(QFrame):
         self.setStyleSheet(_STYLE)
         self.text = as_plain(QLabel())
         self.text.setWordWrap(True)
-        self.way = QPushButton()
+        self.way = QPushButton(translate("Vk_Simulate", "Simulate Toolpaths"))
         self.close_button = QToolButton()
         self.close_button.setText("\u2715")
         explain(self.close_button, translate("Vk_Warning", "Close"))
@@ -96,7 +96,6 @@ class OpenPanel(QObject):
         super().__init__(line)
         self._line, self._simulator = line, simulator
         self._document = FreeCAD.ActiveDocument.Name
-        self._found: BetterWay | None = None
         self._line.hide()
         self._line.way.clicked.connect(self._take)
         self._line.close_button.clicked.connect(self._end)
@@ -118,12 +117,11 @@ class OpenPanel(QObject):
         if not panels or FreeCAD.ActiveDocument is None or FreeCAD.ActiveDocument.Name != self._document:
             return
         _, operations = simulator_panels.chosen_in(panels[0])
-        self._found = better_way.better_way(self._simulator, list(map(marks.read, operations)), preferences.read())
-        if self._found is None:
+        wrong = warning_at_start(self._simulator, list(map(marks.read, operations)), preferences.read())
+        if wrong is None:
             self._line.hide()
             return
-        self._line.text.setText(unbroken(f"{sentence(self._found.wrong)} {sentence(self._found.better)}"))
-        self._line.way.setText(_title(self._found.way, self._simulator))
+        self._line.text.setText(unbroken(f"{sentence(wrong)} {sentence(Message('ours-instead'))}"))
         self._line.show()
         self._line.place()
 
@@ -132,18 +130,15 @@ class OpenPanel(QObject):
         self._line.hide()
 
     def _take(self) -> None:
-        """Start the faster way that the warning suggests."""
-        way, panel = self._found.way, next(iter(simulator_panels.panels()), None)
+        """Simulate the operations in this add-on's tab instead."""
+        panel = next(iter(simulator_panels.panels()), None)
         self._end()
         if panel is None:  # the panel was closed after the last check
             return
-        if way == self._simulator:
-            panel.findChild(QToolButton, "toolButtonFF").click()
-            return
-        job, operations = simulator_panels.chosen_in(panel)
+        _, operations = simulator_panels.chosen_in(panel)
         simulator_panels.close()
-        # Start the other simulator after FreeCAD has removed the panel.
-        QTimer.singleShot(0, lambda: _start(way, job, operations))
+        # Open the tab after FreeCAD has removed the panel.
+        QTimer.singleShot(0, lambda: _simulate(operations))
 
 
 def watch(panel: QWidget, simulator: str) -> None:
@@ -153,29 +148,7 @@ def watch(panel: QWidget, simulator: str) -> None:
     OpenPanel(panel, simulator)
 
 
-def _title(way: str, simulator: str) -> str:
-    if way == better_way.OURS:
-        return translate("Vk_Simulate", "Simulate Toolpaths")
-    if way == simulator:
-        return translate("Vk_Warning", "Fast-forward")
-    return translate("Vk_Warning", "Use the {simulator}").format(simulator=user().simulator(way))
+def _simulate(operations: list) -> None:
+    from vkworkbench.gui.simulation.command import open_tab  # loads numpy
 
-
-def _start(way: str, job, operations: list) -> None:
-    """Simulate operations in this add-on's tab, or in a simulator of FreeCAD (the legacy one in fast-forward)."""
-    if way == better_way.OURS:
-        from vkworkbench.gui.simulation.command import open_tab
-
-        open_tab(operations)
-        return
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(job)
-    command = freecad.simulator_command(way)
-    Gui.runCommand(command)
-    if not Gui.Control.activeDialog():
-        Gui.runCommand(command)  # FreeCAD 1.0 sometimes fails to open the panel (benchmarks/freecad_dead_widgets.py)
-    for panel in simulator_panels.panels():
-        simulator_panels.tick(panel, operations)
-        button = panel.findChild(QToolButton, "toolButtonFF")
-        if button is not None:
-            button.click()
+    open_tab(operations)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 from vkworkbench.core.simulators import OPENGL, Caution, slow_frames
-from vkworkbench.document.marks.better_way import too_long
 from vkworkbench.document.marks.record import Record
+from vkworkbench.document.marks.slow_simulation import too_long
 from vkworkbench.document.marks.text import is_serious
 from vkworkbench.gui.qt.sentences import sentence, strategy_name
 from vkworkbench.gui.qt.text import translate

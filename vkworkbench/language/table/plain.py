@@ -16,7 +16,7 @@ _STROKES = (
     QT_TRANSLATE_NOOP("Sentences", "One open cut{spread}, {seen}."),
     QT_TRANSLATE_NOOP("Sentences", "{count:n} open cuts{spread}, {seen}."),
 )
-_BITES = "{seen}{spread}"
+_BITES = QT_TRANSLATE_NOOP("Sentences", "{seen}{spread}.")
 
 PLAIN: dict[str, str | tuple[str, str]] = {
     "rows": _ROWS,
@@ -30,7 +30,7 @@ PLAIN: dict[str, str | tuple[str, str]] = {
         QT_TRANSLATE_NOOP("Sentences", "{count:n} loops{spread}{turning}, {seen}."),
     ),
     "loops bites-overlap": _BITES,
-    "between": "{seen}",
+    "between": QT_TRANSLATE_NOOP("Sentences", "{seen}."),
     "vertical": (
         QT_TRANSLATE_NOOP("Sentences", "Straight down at one point."),
         QT_TRANSLATE_NOOP("Sentences", "Straight down at {count:n} points."),

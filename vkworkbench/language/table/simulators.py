@@ -76,11 +76,6 @@ SIMULATORS: dict[str, str | tuple[str, str]] = {
     "started-takes": QT_TRANSLATE_NOOP(
         "Sentences", "Playing this simulation takes {bound} {time:estimate} in the {simulator:simulator}."
     ),
-    "fast-forward-takes": QT_TRANSLATE_NOOP("Sentences", "Fast-forward takes {bound} {time:estimate}."),
-    "legacy-takes": QT_TRANSLATE_NOOP(
-        "Sentences", "Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}."
-    ),
-    "opengl-takes": QT_TRANSLATE_NOOP("Sentences", "The {simulator:simulator} takes {bound} {time:estimate}."),
     "bound-about": QT_TRANSLATE_NOOP("Sentences", "about"),
     "bound-least": QT_TRANSLATE_NOOP("Sentences", "at least"),
     "over-budget": QT_TRANSLATE_NOOP(

@@ -1,64 +1,54 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Warn of a simulation that hangs or takes too long, and suggest a faster one, from the marks in the tree alone."""
+"""Warn of a simulation in FreeCAD that hangs or takes too long, from the marks in the tree alone."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from vkworkbench import freecad
 from vkworkbench.core.simulators import LEGACY, SIMULATORS, Cost
 from vkworkbench.document.marks.record import Record
-from vkworkbench.document.marks.text import Burden, burden
+from vkworkbench.document.marks.text import Burden, burden, is_long_play
 from vkworkbench.language import Message
 from vkworkbench.preferences import Preferences
 from vkworkbench.report import HANGS
 
-OURS = "ours"  # value of `way` for the simulation tab of this add-on
 
-
-@dataclass(frozen=True)
-class BetterWay:
-    """A warning of a simulation that the user is about to start, with a faster way."""
-
-    wrong: Message  # the problem of the simulation
-    better: Message  # the faster way, with its time
-    way: str  # the name of one of FreeCAD's simulators (the legacy simulator runs in fast-forward), or `OURS`
-
-
-def better_way(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> BetterWay | None:
-    """Return the warning for a simulator that is started on operations.
+def warning_at_start(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> Message | None:
+    """Return the warning for a simulator of FreeCAD that is started on operations.
 
     Return None if the simulator does not hang, and its time is within the budget or unknown.
 
     Parameters
     ----------
     simulator : str
-        Name of one of FreeCAD's simulators.
     records : sequence of Record or None
         The marks of the operations, None for an operation without a mark. Outdated marks are ignored.
     """
     fresh = [record for record in records if record is not None and not record.outdated]
-    wrong = _hangs(simulator, fresh)
-    if wrong is None:
-        cost, bound = _together(simulator, fresh, len(records))
-        if cost is None or _seconds_of_play(simulator, cost) <= chosen.time_budget:
-            return None
-        wrong = Message("started-takes", simulator=simulator, bound=bound, time=_seconds_of_play(simulator, cost))
-    way, better = _way(simulator, fresh, len(records), chosen)
-    return BetterWay(wrong, better, way)
+    hangs = _hangs(simulator, fresh)
+    if hangs is not None:
+        return hangs
+    cost, bound = _together(simulator, fresh, len(records))
+    if cost is None or _seconds_of_play(simulator, cost) <= chosen.time_budget:
+        return None
+    return Message("started-takes", simulator=simulator, bound=bound, time=_seconds_of_play(simulator, cost))
 
 
 def too_long(record: Record, chosen: Preferences) -> Message | None:
     """Return a warning, with a faster way, if a mark in the tree shows a time over the budget; else None."""
     if burden(record, chosen) is not Burden.OVER:
-        return None
+        return _long_play(record) if is_long_play(record, chosen) else None
     seconds, _ = record.cost(chosen.simulator)
     _, bound = _together(chosen.simulator, [record], 1)
-    _, better = _way(chosen.simulator, [record], 1, chosen)
     return Message(
-        "over-budget", simulator=chosen.simulator, bound=bound, time=seconds, allowed=chosen.time_budget, better=better
-    )
+        "over-budget", simulator=chosen.simulator, bound=bound, time=seconds, allowed=chosen.time_budget,
+        better=Message("ours-instead"),
+    )  # fmt: skip
+
+
+def _long_play(record: Record) -> Message:
+    cost = record.costs[LEGACY.name]
+    return Message("legacy-long-play", simulator=LEGACY.name, longer=cost.play_seconds, time=cost.fast_forward_seconds)
 
 
 def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
@@ -74,21 +64,6 @@ def _hangs(simulator: str, fresh: list[Record]) -> Message | None:
         "started-hangs", simulator=simulator, command=caution.command + 1, label=record.label, reason=caution.what.arguments["reason"],
         others=Message("and-other-operations", count=others) if others else None,
     )  # fmt: skip
-
-
-def _way(simulator: str, fresh: list[Record], operations: int, chosen: Preferences) -> tuple[str, Message]:
-    """Return the faster way and its message: the first simulator of FreeCAD within the time budget, else `OURS`."""
-    for name in sorted(freecad.own_simulators(), key=lambda name: name != simulator):
-        cost, bound = _together(name, fresh, operations)
-        slow = name == simulator != LEGACY.name  # only the legacy simulator has a faster mode, fast-forward
-        if slow or cost is None or cost.seconds > chosen.time_budget or _hangs(name, fresh):
-            continue
-        if name == simulator:
-            return name, Message("fast-forward-takes", bound=bound, time=cost.seconds)
-        if name == LEGACY.name:
-            return name, Message("legacy-takes", simulator=name, bound=bound, time=cost.seconds)
-        return name, Message("opengl-takes", simulator=name, bound=bound, time=cost.seconds)
-    return OURS, Message("ours-instead")
 
 
 def _together(simulator: str, fresh: list[Record], operations: int) -> tuple[Cost | None, Message]:
