@@ -1425,6 +1425,18 @@
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{seen}{spread}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{seen}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1662,6 +1674,10 @@
     </message>
     <message>
         <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no line such as $110=3000. Paste the lines that grbl answers to the command $$.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2808,6 +2824,26 @@ Memory</source>
     </message>
     <message>
         <source>This is the section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves pictures, the shown part as a solid, or removal rates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown Part as STL…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown Part as Mesh in the Document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is available when the finest picture is ready.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save Part as STL</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

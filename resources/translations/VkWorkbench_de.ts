@@ -1425,6 +1425,18 @@
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>Zeilen nach M2, M17 oder M30 werden als Teil desselben Programms gelesen.</translation>
     </message>
+    <message>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>Zeilen nach M2 oder M30 werden als Teil desselben Programms gelesen.</translation>
+    </message>
+    <message>
+        <source>{seen}{spread}.</source>
+        <translation>{seen}{spread}.</translation>
+    </message>
+    <message>
+        <source>{seen}.</source>
+        <translation>{seen}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1663,6 +1675,10 @@
     <message>
         <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
         <translation>Zeit, bis die Spindel ihre Drehzahl erreicht. Die Zeit des Auftrags enthält sie für jedes Werkzeug.</translation>
+    </message>
+    <message>
+        <source>There is no line such as $110=3000. Paste the lines that grbl answers to the command $$.</source>
+        <translation>Es fehlt eine Zeile wie $110=3000. Fügen Sie die Zeilen ein, die grbl auf den Befehl $$ antwortet.</translation>
     </message>
 </context>
 <context>
@@ -2815,6 +2831,26 @@ höchstens</translation>
     <message>
         <source>This is the section.</source>
         <translation>Das ist die Schnittfläche.</translation>
+    </message>
+    <message>
+        <source>Saves pictures, the shown part as a solid, or removal rates.</source>
+        <translation>Speichert Bilder, das gezeigte Teil als Körper oder Zeitspanvolumen.</translation>
+    </message>
+    <message>
+        <source>Shown Part as STL…</source>
+        <translation>Gezeigtes Teil als STL…</translation>
+    </message>
+    <message>
+        <source>Shown Part as Mesh in the Document</source>
+        <translation>Gezeigtes Teil als Netz im Dokument</translation>
+    </message>
+    <message>
+        <source>This is available when the finest picture is ready.</source>
+        <translation>Erst verfügbar, wenn das feinste Bild fertig ist.</translation>
+    </message>
+    <message>
+        <source>Save Part as STL</source>
+        <translation>Teil als STL speichern</translation>
     </message>
 </context>
 <context>

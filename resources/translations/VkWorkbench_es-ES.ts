@@ -1425,6 +1425,18 @@
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>Las líneas después de M2, M17 o M30 se leen como parte del mismo programa.</translation>
     </message>
+    <message>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>Las líneas después de M2 o M30 se leen como parte del mismo programa.</translation>
+    </message>
+    <message>
+        <source>{seen}{spread}.</source>
+        <translation>{seen}{spread}.</translation>
+    </message>
+    <message>
+        <source>{seen}.</source>
+        <translation>{seen}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1663,6 +1675,10 @@
     <message>
         <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
         <translation>Tiempo hasta que el husillo alcanza su velocidad. El tiempo del trabajo lo incluye para cada herramienta.</translation>
+    </message>
+    <message>
+        <source>There is no line such as $110=3000. Paste the lines that grbl answers to the command $$.</source>
+        <translation>Falta una línea como $110=3000. Pegue las líneas que grbl responde a la orden $$.</translation>
     </message>
 </context>
 <context>
@@ -2815,6 +2831,26 @@ como mucho</translation>
     <message>
         <source>This is the section.</source>
         <translation>Esta es la superficie de corte.</translation>
+    </message>
+    <message>
+        <source>Saves pictures, the shown part as a solid, or removal rates.</source>
+        <translation>Guarda imágenes, la pieza mostrada como sólido o caudales de viruta.</translation>
+    </message>
+    <message>
+        <source>Shown Part as STL…</source>
+        <translation>Pieza mostrada como STL…</translation>
+    </message>
+    <message>
+        <source>Shown Part as Mesh in the Document</source>
+        <translation>Pieza mostrada como malla en el documento</translation>
+    </message>
+    <message>
+        <source>This is available when the finest picture is ready.</source>
+        <translation>Disponible cuando la imagen más fina esté lista.</translation>
+    </message>
+    <message>
+        <source>Save Part as STL</source>
+        <translation>Guardar pieza como STL</translation>
     </message>
 </context>
 <context>

@@ -1425,6 +1425,18 @@
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>Les lignes après M2, M17 ou M30 sont lues comme partie du même programme.</translation>
     </message>
+    <message>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>Les lignes après M2 ou M30 sont lues comme partie du même programme.</translation>
+    </message>
+    <message>
+        <source>{seen}{spread}.</source>
+        <translation>{seen}{spread}.</translation>
+    </message>
+    <message>
+        <source>{seen}.</source>
+        <translation>{seen}.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1663,6 +1675,10 @@
     <message>
         <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
         <translation>Temps jusqu&apos;à ce que la broche atteigne sa vitesse. La durée de la tâche le comprend pour chaque outil.</translation>
+    </message>
+    <message>
+        <source>There is no line such as $110=3000. Paste the lines that grbl answers to the command $$.</source>
+        <translation>Il manque une ligne comme $110=3000. Collez les lignes que grbl répond à la commande $$.</translation>
     </message>
 </context>
 <context>
@@ -2815,6 +2831,26 @@ au plus</translation>
     <message>
         <source>This is the section.</source>
         <translation>C’est la surface de coupe.</translation>
+    </message>
+    <message>
+        <source>Saves pictures, the shown part as a solid, or removal rates.</source>
+        <translation>Enregistre des images, la pièce affichée comme solide ou les débits de copeaux.</translation>
+    </message>
+    <message>
+        <source>Shown Part as STL…</source>
+        <translation>Pièce affichée en STL…</translation>
+    </message>
+    <message>
+        <source>Shown Part as Mesh in the Document</source>
+        <translation>Pièce affichée comme maillage dans le document</translation>
+    </message>
+    <message>
+        <source>This is available when the finest picture is ready.</source>
+        <translation>Disponible lorsque l&apos;image la plus fine est prête.</translation>
+    </message>
+    <message>
+        <source>Save Part as STL</source>
+        <translation>Enregistrer la pièce en STL</translation>
     </message>
 </context>
 <context>

@@ -1425,6 +1425,18 @@
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>M2、M17 或 M30 之后的行按同一程序的一部分读取。</translation>
     </message>
+    <message>
+        <source>Lines after M2 or M30 are read as part of the same program.</source>
+        <translation>M2 或 M30 之后的行按同一程序的一部分读取。</translation>
+    </message>
+    <message>
+        <source>{seen}{spread}.</source>
+        <translation>{seen}{spread}。</translation>
+    </message>
+    <message>
+        <source>{seen}.</source>
+        <translation>{seen}。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>
@@ -1663,6 +1675,10 @@
     <message>
         <source>Time until the spindle turns at its speed. The time of the job includes it for each tool.</source>
         <translation>主轴达到转速所需的时间。作业的时间包含每把刀具的此时间。</translation>
+    </message>
+    <message>
+        <source>There is no line such as $110=3000. Paste the lines that grbl answers to the command $$.</source>
+        <translation>缺少类似 $110=3000 的行。请粘贴 grbl 对命令 $$ 的应答行。</translation>
     </message>
 </context>
 <context>
@@ -2815,6 +2831,26 @@ at Most</source>
     <message>
         <source>This is the section.</source>
         <translation>这是剖切面。</translation>
+    </message>
+    <message>
+        <source>Saves pictures, the shown part as a solid, or removal rates.</source>
+        <translation>保存图片、作为实体的所示零件或材料去除率。</translation>
+    </message>
+    <message>
+        <source>Shown Part as STL…</source>
+        <translation>将所示零件保存为 STL…</translation>
+    </message>
+    <message>
+        <source>Shown Part as Mesh in the Document</source>
+        <translation>将所示零件作为网格加入文档</translation>
+    </message>
+    <message>
+        <source>This is available when the finest picture is ready.</source>
+        <translation>最精细的图片完成后可用。</translation>
+    </message>
+    <message>
+        <source>Save Part as STL</source>
+        <translation>将零件保存为 STL</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui as Gui
+import Mesh
 import numpy as np
 import pytest
 from cases import first_everywhere
@@ -95,6 +96,23 @@ def test_exports_save_pictures_and_removal_rates(whole, window, tmp_path):
     assert len(lines) == 1 + whole.simulation.trajectories and lines[1].startswith("Face,1,")
     first = whole.job.cuts[0].toolpath.command[0]
     assert lines[1].split(",")[2] == str(first + 1)  # commands are numbered from 1, as in the text below the part
+
+
+def test_shown_part_is_saved_and_added_as_a_mesh(simulated, window, tmp_path):
+    menu = next(b for b in simulated.findChildren(QtGui.QToolButton) if b.text() == "Save").menu()
+    entries = {action.text(): action for action in menu.actions()}
+    path = tmp_path / "part.stl"
+    window.answer_file_dialog(path, entries["Shown Part as STL…"].trigger)
+    simulated.moment.go_to(0.5 * simulated.clock.total)
+    entries["Shown Part as Mesh in the Document"].trigger()
+    document = FreeCAD.getDocument(simulated.job.operations[0].document)
+    added = document.Objects[-1].Mesh
+    finished = Mesh.Mesh(str(path))
+    removed = simulated.volumes[simulated.moment.done :].sum()
+    assert added.isSolid() and finished.isSolid()
+    assert added.Volume - finished.Volume == pytest.approx(removed, rel=0.01)
+    document.undo()
+    assert not [obj for obj in document.Objects if obj.TypeId == "Mesh::Feature"]
 
 
 def test_chips_are_drawn_on_the_simulated_part(whole, window):

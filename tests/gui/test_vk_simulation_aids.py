@@ -47,7 +47,7 @@ def test_click_shows_the_depth_of_a_pocket(player, window):
     window.click_at(player.view, where)
     window.wait(lambda: player.pictures.is_current and "Depth below" in player.play_bar.text.text())
     top = player.job.stock.upper[2]
-    assert numbers(player.play_bar.text.text())[-1] == pytest.approx(top - surface.place[2], abs=0.01)
+    assert numbers(player.play_bar.text.text())[0] == pytest.approx(top - surface.place[2], abs=0.01)
     assert surface.place[2] < top - 1
     window.screenshot("simulation-depth")
 

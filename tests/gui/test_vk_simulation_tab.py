@@ -75,7 +75,7 @@ def test_command_of_several_moves_shows_its_whole_volume(tab, window):
 def test_removal_rates_are_not_saved_before_they_are_known(desk, window):
     desk.kept(desk.small)
     tab = desk.simulate()
-    rates = tab.player.scene_bar.rates
+    *_, rates = tab.player.scene_bar.results
     assert not rates.isEnabled() and rates.toolTip()
     finest(shown(tab, window), window)
     assert rates.isEnabled() and tab.player.volumes.sum() > 0

@@ -14,11 +14,12 @@ from vkworkbench.document.job.previous import possible_previous_jobs, previous_j
 from vkworkbench.document.simulation.simulate import Simulation, simulate_solid
 from vkworkbench.gui.qt.document_command import DocumentCommand
 from vkworkbench.gui.qt.names import QFileDialog
-from vkworkbench.gui.qt.plain_text import choose, inform, offer, show_status, warn
+from vkworkbench.gui.qt.plain_text import choose, inform, offer, show_status
 from vkworkbench.gui.qt.progress import simulating
 from vkworkbench.gui.qt.saving import proposed, with_suffix
 from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
+from vkworkbench.gui.simulation.exports import write_stl
 from vkworkbench.language import Unusable
 from vkworkbench.report import Cancelled
 
@@ -173,17 +174,8 @@ class SaveStlCommand(JobCommand):
         path, _ = QFileDialog.getSaveFileName(window, self._title, default, "STL (*.stl)")
         path = with_suffix(path, ".stl")
         done = _simulated(job, self._title) if path else None
-        if done is None:
-            return
-        try:
-            done.save_stl(path)
-        except (OSError, ValueError) as error:
-            text = translate("Vk_SaveStl", "{} cannot be written: {}").format(
-                path, getattr(error, "strerror", None) or error
-            )
-            warn(self._title, text, window)
-        else:
-            show_status(translate("Vk_SaveStl", "The part is saved in {}.").format(path))
+        if done is not None:
+            write_stl(done, path, self._title, window)
 
 
 def _simulated(job, title: str) -> Simulation | None:

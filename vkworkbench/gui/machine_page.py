@@ -56,7 +56,9 @@ class MachinePage(FormPage):
 
         try:
             machine = machine_of_grbl(text, replace(Preferences(**self.chosen()), machine=OWN).planned_machine)
-        except ValueError as error:
-            warn(title, str(error), self.form)
+        except ValueError:
+            warn(title, translate(
+                "VkMachine", "There is no line such as $110=3000. Paste the lines that grbl answers to the command $$."
+            ), self.form)  # fmt: skip
         else:
             self._fill_machine(OWN, machine)

@@ -123,14 +123,20 @@ class SceneBar(QWidget):
         bold.setBold(True)
         self.warnings.setFont(bold)
         self.warnings.hide()
-        save = _menu(translate("Vk_Simulate", "Save"), translate("Vk_Simulate", "Saves pictures or removal rates."))
-        *_, self.rates = (self._saving(save.menu(), text, work) for text, work in (
+        save = _menu(
+            translate("Vk_Simulate", "Save"),
+            translate("Vk_Simulate", "Saves pictures, the shown part as a solid, or removal rates."),
+        )
+        _, _, *self.results = (self._saving(save.menu(), text, work) for text, work in (
             (translate("Vk_Simulate", "Picture…"), exports.save_picture),
             (translate("Vk_Simulate", "Pictures of the Whole Job…"), exports.save_frames),
+            (translate("Vk_Simulate", "Shown Part as STL…"), exports.save_part),
+            (translate("Vk_Simulate", "Shown Part as Mesh in the Document"), exports.add_part),
             (translate("Vk_Simulate", "Removal Rates…"), exports.save_rates),
         ))  # fmt: skip
-        self.rates.setEnabled(False)
-        self.rates.setToolTip(translate("Vk_Simulate", "Removal rates are available when the finest picture is ready."))
+        for action in self.results:
+            action.setEnabled(False)
+            action.setToolTip(translate("Vk_Simulate", "This is available when the finest picture is ready."))
         self.controls, self.differences = QWidget(), QWidget()
         _fill(self.controls, self.views, self.colorings, None, self.warnings, self.chips, save)
         _fill(self.differences, self.tolerance, self.worst, None)

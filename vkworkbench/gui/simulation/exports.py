@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Save a picture, pictures of the whole job, or removal rates as files."""
+"""Save pictures, the shown part as a solid, or removal rates."""
 
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from errno import EIO
 from itertools import chain, count
 from os import strerror
@@ -13,13 +14,14 @@ from pathlib import Path
 import FreeCAD
 import numpy as np
 
+from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt import progress
-from vkworkbench.gui.qt.names import QApplication, QEventLoop, QFileDialog
+from vkworkbench.gui.qt.names import QApplication, QEventLoop, QFileDialog, Qt, QWidget
 from vkworkbench.gui.qt.plain_text import show_status, warn
 from vkworkbench.gui.qt.saving import proposed, with_suffix
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
-from vkworkbench.report import as_cell
+from vkworkbench.report import SimulatedPart, as_cell
 
 _FRAMES = 120  # number of pictures of the whole job
 _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm3", "rate_mm3_per_min")
@@ -118,6 +120,48 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
             moment.go_to(*before)
             player.pictures.show_now()
     return written
+
+
+def save_part(player) -> None:
+    """Save the part at the shown moment as a closed solid, in an STL file that the user chooses."""
+    title = translate("Vk_Simulate", "Save Part as STL")
+    path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".stl"), "STL (*.stl)")
+    path = with_suffix(path, ".stl")
+    if path:
+        with _waiting():
+            write_stl(_part(player), path, title, player)
+
+
+def write_stl(part: SimulatedPart, path: str, title: str, parent: QWidget) -> None:
+    """Write a part to an STL file, and show in the status bar that it is saved, or the reason why it is not."""
+    try:
+        part.save_stl(path)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        warn(title, translate("Vk_SaveStl", "{} cannot be written: {}").format(path, reason), parent)
+    else:
+        show_status(translate("Vk_SaveStl", "The part is saved in {}.").format(path))
+
+
+def add_part(player) -> None:
+    """Add the part at the shown moment to the document as a mesh."""
+    with _waiting():
+        added = _part(player).add_mesh()
+    show_status(translate("Vk_AddMesh", "{} was added to the document.").format(added.Label))
+
+
+def _part(player) -> Simulation:
+    return player.simulation.at(player.moment.done)
+
+
+@contextmanager
+def _waiting() -> Iterator[None]:
+    """Show that FreeCAD is busy."""
+    QApplication.setOverrideCursor(Qt.WaitCursor)
+    try:
+        yield
+    finally:
+        QApplication.restoreOverrideCursor()
 
 
 def save_rates(player) -> None:

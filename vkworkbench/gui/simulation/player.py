@@ -16,6 +16,7 @@ from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt.background import Background
 from vkworkbench.gui.qt.names import QEvent, QTimer, QVBoxLayout, QWidget, Signal, single_shot
+from vkworkbench.gui.qt.plain_text import shortened
 from vkworkbench.gui.qt.sentences import strategy_name, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
@@ -222,7 +223,8 @@ class Player(QWidget):
         self.pictures.begin()
 
     def _ended(self, error: Exception | None) -> None:
-        self.scene_bar.rates.setEnabled(self.drawing.findings is not None)
+        for action in self.scene_bar.results:
+            action.setEnabled(self.drawing.findings is not None)
         self.state.show_end(self.job.remarks, error)
 
     def _take(self, done: Simulated | Findings) -> None:
@@ -315,7 +317,8 @@ class Player(QWidget):
         """Return the shown time, the command at this time and the volume that it removes, as text."""
         moment, source = self.moment, self.clock.cuts.source(self.moment.last)
         text = translate("Vk_Simulate", "{} of {}   {}, command {}: {}").format(
-            self._about(user().clock(moment.seconds)), user().clock(self.clock.total), self.job.operations[source.cut].label,
+            self._about(user().clock(moment.seconds)), user().clock(self.clock.total),
+            shortened(self.job.operations[source.cut].label),
             source.command + 1, self.job.listings[source.cut][source.command],
         )  # fmt: skip
         if self.drawing.removal is None or moment.noticed is None:
@@ -324,7 +327,10 @@ class Player(QWidget):
         volume = float(self.volumes[first:end].sum())
         removed = translate("Vk_Simulate", "Removed: {}").format(user().volume(volume, 2))
         text += "   " + (removed if volume else translate("Vk_Simulate", "Nothing removed"))
-        return text if self._asked is None else f"{text}   {self.measuring.depth(self._asked.place)}"
+        if self._asked is None:
+            return text
+        # The depth is first, because a narrow line shortens its end.
+        return f"{self.measuring.depth(self._asked.place)}   {text}"
 
     # The following methods respond to requests of the user.
 
