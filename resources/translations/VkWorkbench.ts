@@ -1338,18 +1338,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:estimate}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {simulator:simulator} takes {bound} {time:estimate}, which is over your {allowed:s} limit. {better}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1423,10 +1411,6 @@
     </message>
     <message>
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2667,19 +2651,11 @@ Memory</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Saves pictures or removal rates.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pictures of the Whole Job…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Removal Rates…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Removal rates are available when the finest picture is ready.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2874,14 +2850,6 @@ Memory</source>
     <name>Vk_Warning</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fast-forward</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Use the {simulator}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -866,18 +866,6 @@
         <translation>Diese Simulation abzuspielen dauert mit „{simulator:simulator}“ {bound} {time:estimate}.</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:estimate}.</source>
-        <translation>Der schnelle Vorlauf dauert {bound} {time:estimate}.</translation>
-    </message>
-    <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>Der schnelle Vorlauf dauert mit „{simulator:simulator}“ {bound} {time:estimate}.</translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>„{simulator:simulator}“ braucht {bound} {time:estimate}.</translation>
-    </message>
-    <message>
         <source>about</source>
         <translation>etwa</translation>
     </message>
@@ -1424,10 +1412,6 @@
     <message>
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>Zeilen nach M2, M17 oder M30 werden als Teil desselben Programms gelesen.</translation>
-    </message>
-    <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>Zeilen nach M2 oder M30 werden als Teil desselben Programms gelesen.</translation>
     </message>
     <message>
         <source>{seen}{spread}.</source>
@@ -2593,10 +2577,6 @@ höchstens</translation>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Saves pictures or removal rates.</source>
-        <translation>Speichert Bilder oder Zeitspanvolumen.</translation>
-    </message>
-    <message>
         <source>Picture…</source>
         <translation>Bild…</translation>
     </message>
@@ -2745,10 +2725,6 @@ höchstens</translation>
         <translation>Das Modell wird mit dem feinsten Bild gezeigt.</translation>
     </message>
     <message>
-        <source>Removal rates are available when the finest picture is ready.</source>
-        <translation>Die Zeitspanvolumen sind verfügbar, wenn das feinste Bild fertig ist.</translation>
-    </message>
-    <message>
         <source>The pictures are saved when the finest picture is ready…</source>
         <translation>Die Bilder werden gespeichert, wenn das feinste Bild fertig ist…</translation>
     </message>
@@ -2881,14 +2857,6 @@ höchstens</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Fast-forward</source>
-        <translation>Schneller Vorlauf</translation>
-    </message>
-    <message>
-        <source>Use the {simulator}</source>
-        <translation>{simulator} benutzen</translation>
     </message>
 </context>
 <context>

@@ -866,18 +866,6 @@
         <translation>Reproducir esta simulación tarda {bound} {time:estimate} en el {simulator:simulator}.</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:estimate}.</source>
-        <translation>El avance rápido tarda {bound} {time:estimate}.</translation>
-    </message>
-    <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>El avance rápido en el {simulator:simulator} tarda {bound} {time:estimate}.</translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>El {simulator:simulator} tarda {bound} {time:estimate}.</translation>
-    </message>
-    <message>
         <source>about</source>
         <translation>unos</translation>
     </message>
@@ -1424,10 +1412,6 @@
     <message>
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>Las líneas después de M2, M17 o M30 se leen como parte del mismo programa.</translation>
-    </message>
-    <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>Las líneas después de M2 o M30 se leen como parte del mismo programa.</translation>
     </message>
     <message>
         <source>{seen}{spread}.</source>
@@ -2593,10 +2577,6 @@ como mucho</translation>
         <translation>Guardar</translation>
     </message>
     <message>
-        <source>Saves pictures or removal rates.</source>
-        <translation>Guarda imágenes o caudales de viruta.</translation>
-    </message>
-    <message>
         <source>Picture…</source>
         <translation>Imagen…</translation>
     </message>
@@ -2745,10 +2725,6 @@ como mucho</translation>
         <translation>El modelo se muestra con la imagen más fina.</translation>
     </message>
     <message>
-        <source>Removal rates are available when the finest picture is ready.</source>
-        <translation>Los caudales de viruta están disponibles cuando la imagen más fina está lista.</translation>
-    </message>
-    <message>
         <source>The pictures are saved when the finest picture is ready…</source>
         <translation>Las imágenes se guardan cuando la imagen más fina está lista…</translation>
     </message>
@@ -2881,14 +2857,6 @@ como mucho</translation>
     <message>
         <source>Close</source>
         <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>Fast-forward</source>
-        <translation>Avance rápido</translation>
-    </message>
-    <message>
-        <source>Use the {simulator}</source>
-        <translation>Usar {simulator}</translation>
     </message>
 </context>
 <context>

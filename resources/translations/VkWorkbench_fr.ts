@@ -866,18 +866,6 @@
         <translation>Lire cette simulation prend {bound} {time:estimate} dans « {simulator:simulator} ».</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:estimate}.</source>
-        <translation>L&apos;avance rapide dure {bound} {time:estimate}.</translation>
-    </message>
-    <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>L&apos;avance rapide dans « {simulator:simulator} » prend {bound} {time:estimate}.</translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>« {simulator:simulator} » prend {bound} {time:estimate}.</translation>
-    </message>
-    <message>
         <source>about</source>
         <translation>environ</translation>
     </message>
@@ -1424,10 +1412,6 @@
     <message>
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>Les lignes après M2, M17 ou M30 sont lues comme partie du même programme.</translation>
-    </message>
-    <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>Les lignes après M2 ou M30 sont lues comme partie du même programme.</translation>
     </message>
     <message>
         <source>{seen}{spread}.</source>
@@ -2593,10 +2577,6 @@ au plus</translation>
         <translation>Enregistrer</translation>
     </message>
     <message>
-        <source>Saves pictures or removal rates.</source>
-        <translation>Enregistre des images ou des débits de copeaux.</translation>
-    </message>
-    <message>
         <source>Picture…</source>
         <translation>Image…</translation>
     </message>
@@ -2745,10 +2725,6 @@ au plus</translation>
         <translation>Le modèle est montré avec l&apos;image la plus fine.</translation>
     </message>
     <message>
-        <source>Removal rates are available when the finest picture is ready.</source>
-        <translation>Les débits de copeaux sont disponibles quand l&apos;image la plus fine est prête.</translation>
-    </message>
-    <message>
         <source>The pictures are saved when the finest picture is ready…</source>
         <translation>Les images sont enregistrées quand l&apos;image la plus fine est prête…</translation>
     </message>
@@ -2881,14 +2857,6 @@ au plus</translation>
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Fast-forward</source>
-        <translation>Avance rapide</translation>
-    </message>
-    <message>
-        <source>Use the {simulator}</source>
-        <translation>Utiliser {simulator}</translation>
     </message>
 </context>
 <context>

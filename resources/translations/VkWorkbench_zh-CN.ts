@@ -866,18 +866,6 @@
         <translation>在{simulator:simulator}中播放此模拟需要{bound} {time:estimate}。</translation>
     </message>
     <message>
-        <source>Fast-forward takes {bound} {time:estimate}.</source>
-        <translation>快进需要{bound} {time:estimate}。</translation>
-    </message>
-    <message>
-        <source>Fast-forward in the {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>在{simulator:simulator}中快进需要{bound} {time:estimate}。</translation>
-    </message>
-    <message>
-        <source>The {simulator:simulator} takes {bound} {time:estimate}.</source>
-        <translation>{simulator:simulator}需要{bound} {time:estimate}。</translation>
-    </message>
-    <message>
         <source>about</source>
         <translation>约</translation>
     </message>
@@ -1424,10 +1412,6 @@
     <message>
         <source>Lines after M2, M17 or M30 are read as part of the same program.</source>
         <translation>M2、M17 或 M30 之后的行按同一程序的一部分读取。</translation>
-    </message>
-    <message>
-        <source>Lines after M2 or M30 are read as part of the same program.</source>
-        <translation>M2 或 M30 之后的行按同一程序的一部分读取。</translation>
     </message>
     <message>
         <source>{seen}{spread}.</source>
@@ -2593,10 +2577,6 @@ at Most</source>
         <translation>保存</translation>
     </message>
     <message>
-        <source>Saves pictures or removal rates.</source>
-        <translation>保存图片或去除率。</translation>
-    </message>
-    <message>
         <source>Picture…</source>
         <translation>图片…</translation>
     </message>
@@ -2745,10 +2725,6 @@ at Most</source>
         <translation>模型将随最精细的画面一起显示。</translation>
     </message>
     <message>
-        <source>Removal rates are available when the finest picture is ready.</source>
-        <translation>最精细的图片完成后才有去除率。</translation>
-    </message>
-    <message>
         <source>The pictures are saved when the finest picture is ready…</source>
         <translation>最精细的图片完成后保存图片…</translation>
     </message>
@@ -2881,14 +2857,6 @@ at Most</source>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Fast-forward</source>
-        <translation>快进</translation>
-    </message>
-    <message>
-        <source>Use the {simulator}</source>
-        <translation>使用{simulator}</translation>
     </message>
 </context>
 <context>
