@@ -125,42 +125,14 @@ def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, 
 def _returns(
     moves: Moves, x: np.ndarray, y: np.ndarray, at: np.ndarray, area: np.ndarray, width: float, origin: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the stretches that turn by +-2 pi and begin and end in one grid cell, `width` * LOOPS.CLOSE wide."""
-    scaled = (x, y) if width == 1 else (x * (1 / width), y * (1 / width))
-    column, row = ((v + origin).astype(np.int32).view(np.uint32) for v in scaled)
-    # Vertices in the same grid cell are found by hashing, which takes O(n); sorting all vertices would take O(n log n).
-    # The products overflow on purpose, and their high bits are the hash. The hash table has at least two places per
-    # vertex. In a smaller table, more grid cells share a hash, and the vertices in them must be sorted. A larger hash
-    # table does not fit into the processor's cache.
-    bits = (2 * len(x)).bit_length()
-    cell = column * np.uint32(2654435769)
-    cell += row * np.uint32(2246822519)
-    if len(area):
-        cell += area * np.uint32(3266489917)
-    cell >>= np.uint32(32 - bits)
-    cell = cell.astype(np.intp)
-    order = np.arange(len(cell), dtype=np.int32)
-    table = np.empty(1 << bits, np.int32)
-    table[cell] = order
-    latest = table.take(cell)
-    one = np.flatnonzero(latest != order)  # vertices that are followed by another vertex with the same hash
-    two, own = latest[one], cell[one]
-    table[own] = one
-    last = table.take(own) == one  # whether the vertex is the second-to-last one with its hash
-    table[own[~last]] = -1
-    crowded = table.take(own) < 0
-    if crowded.any():
-        # Most hashes belong to two vertices, at the beginning and the end of a loop. If more than two vertices have one
-        # hash, the vertices are sorted by cell, because they are in several cells, or one cell has more than two
-        # vertices.
-        among = np.zeros(len(cell), bool)
-        among[one[crowded]] = among[two[crowded & last]] = True
-        many = np.flatnonzero(among)
-        keys = column[many].astype(np.uint64)
-        keys <<= np.uint64(32)
-        keys |= row[many]
-        many = many[np.lexsort((keys, area[many])) if len(area) else np.argsort(keys, kind="stable")]
-        one, two = np.append(one[~crowded], many[:-1]), np.append(two[~crowded], many[1:])
+    """Return the stretches that turn by +-2 pi and begin and end in one grid cell, `width` * LOOPS.CLOSE wide.
+
+    Vertices are sorted by grid cell, and each vertex is compared with the next vertex in this order.
+    """
+    column, row = ((v * (1 / width) + origin).astype(np.uint64) for v in (x, y))
+    cell = column << np.uint64(32) | row
+    order = np.lexsort((cell, area)) if len(area) else np.argsort(cell, kind="stable")
+    one, two = order[:-1], order[1:]
     near = np.maximum(np.abs(x[one] - x[two]), np.abs(y[one] - y[two])) <= 1
     if len(area):
         near &= area[one] == area[two]
