@@ -12,9 +12,9 @@ from vkworkbench.core.paper.thresholds import TURNS
 TURN = 2 * np.pi
 
 
-def directions(dx: np.ndarray, dy: np.ndarray, out: np.ndarray | None = None) -> np.ndarray:
+def directions(dx: np.ndarray, dy: np.ndarray) -> np.ndarray:
     """Return alpha, the directions of moves (n,), rad in [-pi, pi]."""
-    return np.arctan2(dy, dx, out=out)
+    return np.arctan2(dy, dx)
 
 
 @overload
@@ -26,28 +26,9 @@ def wrap(angle: float | np.ndarray) -> float | np.ndarray:
     return angle - TURN * np.rint(angle * (1 / TURN))
 
 
-def turns(alpha: np.ndarray, out: np.ndarray | None = None, scratch: np.ndarray | None = None) -> np.ndarray:
-    """Return delta phi, the turns between successive directions (section 3.2).
-
-    Parameters
-    ----------
-    alpha : (n,) float64
-        rad.
-    out, scratch : (n-1,) float64, optional
-        Memory for the result and for intermediate values, because allocating memory takes most of the time for a long
-        path.
-
-    Returns
-    -------
-    (n-1,) float64
-        rad in [-pi, pi].
-    """
-    turning: np.ndarray = np.subtract(alpha[1:], alpha[:-1], out=out)
-    whole = np.multiply(turning, 1 / TURN, out=scratch)
-    np.rint(whole, out=whole)
-    whole *= TURN
-    turning -= whole
-    return turning
+def turns(alpha: np.ndarray) -> np.ndarray:
+    """Return delta phi, the turns between successive directions (n,), (n-1,) rad in [-pi, pi] (section 3.2)."""
+    return wrap(alpha[1:] - alpha[:-1])
 
 
 def signs_of_reversals(

@@ -70,11 +70,9 @@ def paper_verdict(areas: Areas) -> PaperVerdict | None:
     elif reached <= np.pi + TURNS.EXACT:
         strategy = Strategy.ZIGZAG
     theta = found.theta
-    turned, image = np.empty((2, len(theta)))
-    turned[0] = 0.0
-    turns(theta, out=turned[1:], scratch=image[1:])
-    np.cumsum(turned, out=image)
-    net, both_ways = float(image[-1]), float(np.abs(turned, out=turned).sum())
+    turned = np.append(0.0, turns(theta))
+    image = np.cumsum(turned)
+    net, both_ways = float(image[-1]), float(np.abs(turned).sum())
     theta_range = float(image.min() + theta[0]), float(image.max() + theta[0])
     sense = None
     if both_ways > TURNS.EXACT and both_ways - abs(net) <= 2 * TURNS.BACK_AND_FORTH * both_ways:

@@ -13,8 +13,6 @@ from vkworkbench.core.paper.plane import plane_of_toolpath
 from vkworkbench.core.paper.thresholds import MOVES, TURNS
 from vkworkbench.core.toolpath import Toolpath
 
-MEASURES, SPARE = 10, 10  # number of used and of unused rows in a block of memory; see `_Steps`
-
 
 @dataclass
 class Moves:
@@ -77,9 +75,8 @@ def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
         dx, dy, dz, length, x, y, z = (v[index] for v in (dx, dy, dz, length, steps.x, steps.y, steps.z[1:]))
     else:
         x, y, z = steps.x[:-1], steps.y[:-1], steps.z[1:]
-    alpha, turning, phi = steps.spare_rows(len(index))
-    directions(dx, dy, out=alpha)
-    unsigned, reversals = turned(alpha, start, turning, phi)
+    alpha = directions(dx, dy)
+    turning, phi, unsigned, reversals = turned(alpha, start)
     return Moves(
         index=index + first if first else index,
         x=x,
@@ -100,28 +97,14 @@ def cutting_moves(toolpath: Toolpath, first: int, end: int) -> Moves:
 
 
 class _Steps:
-    """The trajectories `first` to `end` - 1 of a toolpath in the working plane: points (n+1,), steps and lengths (n,).
-
-    All measures share one block of memory and are computed in place if possible. With many short-lived arrays, the
-    system would map the same memory pages again and again, which takes more time than the arithmetic. The unused rows
-    only make the block of memory larger. glibc keeps free memory of up to twice the largest block that it allocated
-    (its dynamic M_TRIM_THRESHOLD), so later computations reuse pages that are already mapped.
-    """
+    """The trajectories `first` to `end` - 1 of a toolpath in the working plane: points (n+1,), steps and lengths (n,)."""
 
     def __init__(self, toolpath: Toolpath, first: int, end: int) -> None:
         self.points, self.rapid = toolpath.points[first : end + 1], toolpath.rapid[first:end]
-        self._block = block = np.empty((MEASURES + SPARE, len(self.points)))
-        for row, axis in zip(block, plane_of_toolpath(self.points, self.rapid)):
-            row[:] = self.points[:, axis]
-        self.x, self.y, self.z = block[:3]
-        self.dx, self.dy, self.dz = np.subtract(block[:3, 1:], block[:3, :-1], out=block[3:6, :-1])
-        self.length = np.multiply(self.dx, self.dx, out=block[6, :-1])
-        self.length += self.dy * self.dy
-        np.sqrt(self.length, out=self.length)
-
-    def spare_rows(self, count: int) -> np.ndarray:
-        """Return the rows of the block of memory for alpha, turning and phi of `count` moves, (3, count)."""
-        return self._block[7:MEASURES, :count]
+        x, y, z = (self.points[:, axis].copy() for axis in plane_of_toolpath(self.points, self.rapid))
+        self.x, self.y, self.z = x, y, z
+        self.dx, self.dy, self.dz = (v[1:] - v[:-1] for v in (x, y, z))
+        self.length = np.sqrt(self.dx * self.dx + self.dy * self.dy)
 
     def goes_on(self, one: np.ndarray, two: np.ndarray) -> np.ndarray:
         """Return whether trajectories `two` (k,) have nearly the direction of trajectories `one` (k,), (k,) bool."""
@@ -129,34 +112,31 @@ class _Steps:
         return dx[two] * dx[one] + dy[two] * dy[one] > MOVES.ONWARD * length[two] * length[one]
 
 
-def turned(alpha: np.ndarray, start: np.ndarray, turning: np.ndarray, phi: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Compute the turns between moves and their sum phi in every area, with the meanings described in :class:`Moves`.
+def turned(alpha: np.ndarray, start: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Return the turns between moves with the directions `alpha` (m,) rad, and their sum phi in every area.
 
     Parameters
     ----------
-    alpha : (m,) float
-        Directions of the moves, rad.
     start : (a,) int
         First move of each area.
-    turning, phi : (m,) float
-        Memory for the results.
 
     Returns
     -------
-    unsigned, reversals : (u,) and (r,) int
-        Moves that begin with half a turn; see :class:`Moves`.
+    turning, phi, unsigned, reversals : ndarray
+        See :class:`Moves`.
     """
-    scratch = phi[1:]
-    turns(alpha, out=turning[1:], scratch=scratch)
+    turning = np.zeros(len(alpha))
+    turning[1:] = turns(alpha)
     turning[start] = 0.0
     # A half turn has no sign, so `unsigned` contains its index, and phi includes only its difference from pi.
-    unsigned = np.flatnonzero(np.abs(turning[1:], out=scratch) > np.pi - TURNS.UNSIGNED) + 1
-    reversals = unsigned[phi[unsigned] > np.pi - TURNS.EXACT]
+    turned_by = np.abs(turning)
+    unsigned = np.flatnonzero(turned_by > np.pi - TURNS.UNSIGNED)
+    reversals = unsigned[turned_by[unsigned] > np.pi - TURNS.EXACT]
     turning[unsigned] -= np.copysign(np.pi, turning[unsigned])
-    np.cumsum(turning, out=phi)
+    phi = np.cumsum(turning)
     if len(start) > 1:
         phi -= np.repeat(phi[start], np.diff(start, append=len(phi)))
-    return unsigned, reversals
+    return turning, phi, unsigned, reversals
 
 
 def _drop_noise(planar: np.ndarray, length: np.ndarray) -> None:

@@ -52,18 +52,13 @@ def signature(points: np.ndarray) -> Signature:
         raise ValueError("points must be finite numbers")
     x, y = (points[:, axis] for axis in plane_of_points(points)[:2])
     dx, dy = x[1:] - x[:-1], y[1:] - y[:-1]
-    # Arrays are reused, because allocating memory takes most of the time for a long path.
-    squares = dx * dx
-    squares += dy * dy
+    squares = dx * dx + dy * dy
     alpha = directions(dx, dy)
     if squares.min(initial=np.inf) < NO_LENGTH**2:
         _carry_directions(alpha, np.flatnonzero(squares < NO_LENGTH**2))
-    scratch = squares[1:]
-    turning = turns(alpha, scratch=scratch)
-    np.abs(turning, out=scratch)
-    reversals, last = np.empty(0, np.int64), np.zeros(1, np.int64)
-    if scratch.max(initial=0.0) > np.pi - TURNS.EXACT:
-        reversals = np.flatnonzero(scratch > np.pi - TURNS.EXACT)
+    turning = turns(alpha)
+    reversals, last = np.flatnonzero(np.abs(turning) > np.pi - TURNS.EXACT), np.zeros(1, np.int64)
+    if len(reversals):
         turning[reversals] = 0.0
         before = np.append(0.0, turning)
         signs, last = signs_of_reversals(before, reversals + 1, np.zeros(1, np.int64), TURNS.EXACT)

@@ -109,8 +109,7 @@ def _measured(moves: Areas, **changed: np.ndarray) -> Areas:
     """Return the areas with changed moves, and measure the moves again."""
     moves = replace(moves, **changed)
     alpha = directions(moves.dx, moves.dy)
-    turning, phi = np.zeros(len(moves)), np.empty(len(moves))
-    unsigned, reversals = turned(alpha, moves.start, turning, phi)
+    turning, phi, unsigned, reversals = turned(alpha, moves.start)
     return replace(
         moves, length=np.hypot(moves.dx, moves.dy), alpha=alpha, turning=turning, phi=phi, unsigned=unsigned,
         reversals=reversals
