@@ -152,7 +152,7 @@ def test_stock_larger_than_ten_metres_is_analyzed(small, zigzag_commands):
     small.job.Stock = stock
     (row,) = vkworkbench.analyze(op).operations
     assert row.error is None and row.strategy == "zigzag"
-    assert 0 < row.estimate.seconds < 1e6 and 0 < row.estimate.memory_bytes < 1e12 and row.legacy.cells > 0
+    assert 0 < row.estimate.seconds < 1e6 and 0 < row.estimate.memory_bytes < 1e12 and row.costs["legacy"].cells > 0
 
 
 @pytest.mark.parametrize("diameter", [0, 1e-7, 1e6])

@@ -12,13 +12,12 @@ from xml.etree import ElementTree
 import pytest
 
 from vkworkbench import preferences
-from vkworkbench.core import Stock, Tool, View, linearize, machining, recognize
+from vkworkbench.core import Stock, Tool, linearize, machining, recognize
 from vkworkbench.core.gcode import Words
 from vkworkbench.core.simulators import costs, kept, preflight, table
 from vkworkbench.core.simulators.opengl import opengl_speeds
 from vkworkbench.core.simulators.simulator import Caution, Conditions, Task
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available
-from vkworkbench.core.zbuffer import Resolution
 from vkworkbench.language import Message
 from vkworkbench.report import OperationReport, Report
 
@@ -42,9 +41,6 @@ def texts(simulator):
     """Yield (translation context, text) for every text that the user sees in a simulator's table entry."""
     for name in ("time_tooltip", "memory_tooltip"):
         yield "Vk_Results", getattr(simulator, name)
-    if simulator.advice:
-        for name in ("title", "tooltip", "sentence", "none"):
-            yield "Vk_Results", getattr(simulator.advice, name)
 
 
 @pytest.mark.parametrize("language", ["de", "fr", "es-ES", "zh-CN"])
@@ -57,7 +53,7 @@ def test_every_text_of_a_simulators_entry_is_translated(language):
 
 def test_table_entries_of_simulators_have_different_columns():
     names = [simulator.name for simulator in SIMULATORS]
-    columns = [name for s in SIMULATORS for name in (*s.columns, s.factor_column, s.advice and s.advice.column) if name]
+    columns = [name for s in SIMULATORS for name in (*s.columns, s.factor_column) if name]
     for unique in (names, columns):
         assert len(set(unique)) == len(unique)
     assert preferences.OWN not in names and SIMULATORS[0] is ZBUFFER
@@ -92,7 +88,6 @@ WIREFRAME = replace(
     less_memory=Message("fewer-operations"),
     columns={"wireframe_seconds": lambda cost: cost.seconds},
     factor_column="wireframe_factor",
-    advice=None,
 )
 
 
@@ -139,12 +134,6 @@ def test_new_table_entry_of_a_simulator_appears_everywhere(wireframe, tmp_path):
     assert kept.from_data("wireframe", as_kept) == total.costs["wireframe"]
 
 
-def test_advised_image_size_is_0_if_no_image_is_in_the_budget():
-    why = Message("no-image")
-    assert ZBUFFER.advice.numbers(Resolution(None, 1.0, 1.0, why)) == (0, 0)
-    assert ZBUFFER.advice.numbers(Resolution(View(width=40, height=30), 1.0, 1.0, why)) == (40, 30)
-
-
 def test_cost_prediction_needs_a_tool_and_a_stock():
     path, tool = linearize(ROWS), Tool("endmill", 5.0)
     assert Task(path, tool, STOCK).cutting == (tool, STOCK)
@@ -158,13 +147,9 @@ def test_str_of_a_caution_is_its_message():
     assert str(caution) == caution.message != ""
 
 
-def test_named_costs_equal_the_costs_of_the_table():
+def test_recommended_image_is_the_advice_for_the_zbuffer():
     operation = row((1, 1))
-    assert operation.legacy is operation.costs["legacy"] and operation.opengl is operation.costs["OpenGL"]
-    assert operation.resolution is operation.advice["z-buffer"]
-    assert None not in (operation.legacy, operation.opengl, operation.resolution)
-    without = row(())
-    assert (without.legacy, without.opengl) == (None, None)
+    assert operation.resolution is operation.advice["z-buffer"] is not None
 
 
 def test_mistyped_simulator_name_is_refused():

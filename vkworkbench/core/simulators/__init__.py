@@ -14,11 +14,11 @@ from vkworkbench.core.simulators.kept import from_data as cost_from_data
 from vkworkbench.core.simulators.legacy import LegacyCost, legacy_cost, legacy_together
 from vkworkbench.core.simulators.opengl import OpenGLCost, opengl_cost, opengl_speeds, opengl_together, slow_frames
 from vkworkbench.core.simulators.preflight import preflight
-from vkworkbench.core.simulators.simulator import Advice, Caution, Conditions, Cost, Simulator, Task
+from vkworkbench.core.simulators.simulator import Caution, Conditions, Cost, Simulator, Task
 from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER, available, predict, together
 
 __all__ = [
-    "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "ZBUFFER", "Advice",
+    "DEFAULTS", "LEGACY", "OPENGL", "SIMULATORS", "ZBUFFER",
     "Caution", "Conditions", "Constants", "Cost", "Costs", "LegacyCost", "OpenGLCost", "Simulator", "Task",
     "available", "cost_as_data", "cost_from_data", "legacy_cost", "legacy_together", "opengl_cost",
     "opengl_speeds", "opengl_together", "predict", "preflight", "slow_frames", "together",

@@ -6,10 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from vkworkbench.core.simulators.legacy import LegacyCost
-from vkworkbench.core.simulators.opengl import OpenGLCost
-from vkworkbench.core.simulators.simulator import Advice, Simulator
-from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER
+from vkworkbench.core.simulators.simulator import Simulator
+from vkworkbench.core.simulators.table import SIMULATORS, ZBUFFER
 from vkworkbench.core.zbuffer import Resolution
 
 
@@ -22,21 +20,11 @@ class Costs:
         Cost by name of the simulator; each cost is computed at its first use. The mapping does not contain simulators
         that the running FreeCAD does not have, and simulators whose cost is unknown.
     advice : mapping of str to Resolution
-        Finest setting of each simulator within the budget of the preferences, by name of the simulator.
+        The z-buffer's finest image within the budget of the preferences, by the z-buffer's name; empty if unknown.
     """
 
     costs: Mapping[str, Any]
     advice: Mapping[str, Any]
-
-    @property
-    def legacy(self) -> LegacyCost | None:
-        """The cost in FreeCAD's legacy simulator at the accuracy set in the preferences; None if it is unknown."""
-        return self.costs.get(LEGACY.name)
-
-    @property
-    def opengl(self) -> OpenGLCost | None:
-        """The cost in FreeCAD's OpenGL simulator; None if it is unknown, or if this version has no such simulator."""
-        return self.costs.get(OPENGL.name)
 
     @property
     def resolution(self) -> Resolution | None:
@@ -71,8 +59,8 @@ class Costs:
         return self.costs.get(simulator)
 
     def columns(self) -> dict[str, Any]:
-        """Return columns for CSV and JSON files: the reasons for recommended settings, and the costs in FreeCAD."""
-        columns = {advice.column: chosen and chosen.explanation for advice, chosen in self._advised()}
+        """Return columns for CSV and JSON files: the reason for the recommended image, and the costs in FreeCAD."""
+        columns: dict[str, Any] = {"resolution": self.resolution and self.resolution.explanation}
         for simulator in _beside_the_papers():
             columns.update(simulator.figures(self.costs.get(simulator.name)))
         return columns
@@ -82,11 +70,8 @@ class Costs:
         return {s.factor_column: self.factor(s.name) for s in _beside_the_papers() if s.factor_column is not None}
 
     def advice_messages(self) -> dict[str, Any]:
-        """Return the messages that recommend settings of the simulators, as data for JSON."""
-        return {advice.column: chosen and chosen.why.as_data() for advice, chosen in self._advised()}
-
-    def _advised(self) -> list[tuple[Advice, Any]]:
-        return [(s.advice, self.advice.get(s.name)) for s in SIMULATORS if s.advice]
+        """Return the message that recommends an image, as data for JSON."""
+        return {"resolution": self.resolution and self.resolution.why.as_data()}
 
 
 def _beside_the_papers() -> tuple[Simulator, ...]:

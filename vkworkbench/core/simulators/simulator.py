@@ -103,14 +103,7 @@ class Conditions:
 
 
 class Cost(Protocol):
-    """The cost of an operation, or of several operations in sequence, in one simulator.
-
-    Attributes
-    ----------
-    seconds, memory_bytes : float
-    factor : float
-        The actual time is between `seconds` divided by this factor and `seconds` times this factor.
-    """
+    """The cost of an operation, or of several operations in sequence, in one simulator."""
 
     @property
     def seconds(self) -> float:
@@ -122,7 +115,7 @@ class Cost(Protocol):
 
     @property
     def factor(self) -> float:
-        """Factor, at least 1, by which `seconds` can be too high or too low."""
+        """Factor, at least 1: the actual time is between `seconds` / `factor` and `seconds` * `factor`."""
 
 
 # Codes of warnings, the worst first: simulations that never end, need too much memory, take too long, show a wrong
@@ -158,38 +151,6 @@ class Caution:
         return self.message
 
 
-@dataclass(frozen=True)
-class Advice:
-    """Functions and texts that recommend a simulator's finest setting within a budget of memory and time.
-
-    Attributes
-    ----------
-    choose : callable
-        ``choose(costs, memory_bytes=, seconds=, stepover=, labels=)`` returns the chosen setting for operations in
-        sequence. The setting is an object with the message `why` and the English text `explanation`.
-    numbers : callable
-        Function that returns the numbers of a chosen setting, such as width and height of an image. All numbers are 0
-        if no setting is within the budget.
-    form : str
-        Format string for the numbers of a chosen setting.
-    column : str
-        Name of the column in CSV and JSON.
-    title, tooltip, sentence, none : str
-        Title and tooltip of the column in the panel; the sentence below the table, which can contain ``{simulator}``;
-        and the text that is shown if no setting is within the budget. All texts are translated in the context
-        "Vk_Results".
-    """
-
-    choose: Callable[..., Any]
-    numbers: Callable[[Any], tuple[int, ...]]
-    form: str
-    column: str
-    title: str
-    tooltip: str
-    sentence: str
-    none: str
-
-
 @dataclass(frozen=True, eq=False)
 class Simulator:
     """The functions and texts of one simulator whose cost is predicted.
@@ -219,7 +180,6 @@ class Simulator:
         simulators; None if `columns` contains the factor.
     time_tooltip, memory_tooltip : str
         Tooltips of the columns for time and memory in the panel, translated in the context "Vk_Results".
-    advice : Advice or None
     preferences : tuple of str
         Names of the preferences that have no effect without the simulator.
     most_bytes : callable or None
@@ -239,7 +199,6 @@ class Simulator:
     factor_column: str | None
     time_tooltip: str
     memory_tooltip: str
-    advice: Advice | None = None
     preferences: tuple[str, ...] = ()
     most_bytes: Callable[[Task, Conditions], float] | None = None
 

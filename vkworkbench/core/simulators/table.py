@@ -9,7 +9,7 @@ from typing import Any
 
 from vkworkbench.core.simulators import legacy, legacy_cautions, opengl, zbuffer
 from vkworkbench.core.simulators.on_demand import OnDemand
-from vkworkbench.core.simulators.simulator import Advice, Conditions, Cost, Simulator, Task
+from vkworkbench.core.simulators.simulator import Conditions, Cost, Simulator, Task
 from vkworkbench.language import QT_TRANSLATE_NOOP, Message
 
 # : The paper's extended z-buffer. The names of the z-buffer's columns in CSV and JSON have no prefix.
@@ -39,18 +39,6 @@ ZBUFFER = Simulator(
     memory_tooltip=QT_TRANSLATE_NOOP(
         "Vk_Results",
         "Memory that Simulate Toolpaths takes. An operation includes the whole stock. A job includes the stock once.",
-    ),
-    advice=Advice(
-        choose=zbuffer.finest_image,
-        numbers=lambda chosen: (chosen.view.width, chosen.view.height) if chosen.view else (0, 0),
-        form="{} × {}",
-        column="resolution",
-        title=QT_TRANSLATE_NOOP("Vk_Results", "Recommended\nImage"),
-        tooltip=QT_TRANSLATE_NOOP(
-            "Vk_Results", "The finest image of Simulate Toolpaths within your limits of time and memory."
-        ),
-        sentence=QT_TRANSLATE_NOOP("Vk_Results", "Recommended image: {}"),
-        none=QT_TRANSLATE_NOOP("Vk_Results", "none"),
     ),
 )
 
@@ -118,8 +106,8 @@ def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     Returns
     -------
     costs, advice : OnDemand
-        The costs, and the finest settings within the budget, by the names of the simulators. Each cost and each setting
-        is computed at its first use.
+        The costs by the names of the simulators, and the z-buffer's finest image within the budget by the z-buffer's
+        name. Each value is computed at its first use.
     """
     task = task.without_words()
     stepover = task.recognition and task.recognition.stepover
@@ -127,11 +115,9 @@ def predict(task: Task, conditions: Conditions) -> tuple[OnDemand, OnDemand]:
     simulators = available(conditions.version)
     costs = OnDemand({s.name: partial(s.predict, task, conditions) for s in simulators})
 
-    def advise(advice: Advice, name: str) -> Any:
-        return advice.choose([costs[name]], stepover=stepover, **budget)
-
-    advice = OnDemand({s.name: partial(advise, s.advice, s.name) for s in simulators if s.advice})
-    return costs, advice
+    return costs, OnDemand(
+        {ZBUFFER.name: lambda: zbuffer.finest_image([costs[ZBUFFER.name]], stepover=stepover, **budget)}
+    )
 
 
 def together(
@@ -148,7 +134,7 @@ def together(
     stepover : float or None
         Smallest stepover of the operations, mm; None if unknown.
     **budget : float
-        The budgets `memory_bytes` and `seconds`, for which the advice chooses the finest settings.
+        The budgets `memory_bytes` and `seconds`, within which the finest image is chosen.
 
     Returns
     -------
@@ -156,7 +142,7 @@ def together(
         Mappings as from :func:`predict`, but without the simulators whose cost is unknown.
     """
 
-    def known(name: str) -> tuple[list[str], list[Cost]]:
+    def known(name: str) -> tuple[list[str], list[Any]]:
         found = [(label, own[name]) for label, own in zip(labels, each) if name in own]
         if not found:
             raise KeyError(name)
@@ -165,9 +151,8 @@ def together(
     def total(simulator: Simulator) -> Cost:
         return simulator.together(known(simulator.name)[1])
 
-    def advise(advice: Advice, name: str) -> Any:
-        named, alone = known(name)
-        return advice.choose(alone, labels=named, stepover=stepover, **budget)
+    def finest_image() -> Any:
+        named, alone = known(ZBUFFER.name)
+        return zbuffer.finest_image(alone, labels=named, stepover=stepover, **budget)
 
-    costs = OnDemand({s.name: partial(total, s) for s in SIMULATORS})
-    return costs, OnDemand({s.name: partial(advise, s.advice, s.name) for s in SIMULATORS if s.advice})
+    return OnDemand({s.name: partial(total, s) for s in SIMULATORS}), OnDemand({ZBUFFER.name: finest_image})

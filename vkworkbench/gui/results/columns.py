@@ -125,7 +125,9 @@ def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[C
         Column(LENGTH, translate("Vk_Results", "Length"), translate("Vk_Results", "Length of the cutting moves."),
                lambda row: row.found.length, _as("length")),
         *(column for simulator in simulators for column in _of_simulator(simulator)),
-        *(_of_advice(simulator) for simulator in simulators if simulator.advice),
+        Column(f"{ZBUFFER.name} advice", translate("Vk_Results", "Recommended\nImage"),
+               translate("Vk_Results", "The finest image of Simulate Toolpaths within your limits of time and memory."),
+               _image_size, _as_image_size),
     ]  # fmt: skip
     return first, others
 
@@ -186,16 +188,16 @@ def _of_simulator(simulator: Simulator) -> tuple[Column, Column]:
     )  # fmt: skip
 
 
-def _of_advice(simulator: Simulator) -> Column:
-    """Return the column with the finest setting of a simulator that is within the budgets for time and memory."""
-    advice, text = simulator.advice, partial(FreeCAD.Qt.translate, "Vk_Results")
+def _image_size(row: Row) -> tuple[int, int] | None:
+    """Return width and height of the recommended image, pixels; 0 if no image is within the budget."""
+    chosen = row.found.resolution
+    if chosen is None:
+        return None
+    return (chosen.view.width, chosen.view.height) if chosen.view else (0, 0)
 
-    def numbers(row: Row) -> tuple[int, ...] | None:
-        chosen = row.found.advice.get(simulator.name)
-        return chosen and advice.numbers(chosen)
 
-    return Column(f"{simulator.name} advice", text(advice.title), text(advice.tooltip), numbers,
-                  lambda found: advice.form.format(*map(user().count, found)) if all(found) else text(advice.none))  # fmt: skip
+def _as_image_size(size: tuple[int, int]) -> str:
+    return "{} × {}".format(*map(user().count, size)) if all(size) else translate("Vk_Results", "none")
 
 
 def _reason(row: Row) -> str | None:

@@ -6,9 +6,6 @@ The details begin with a description in plain words; the link "Why?" shows the r
 
 from __future__ import annotations
 
-import FreeCAD
-
-from vkworkbench.core.simulators import SIMULATORS
 from vkworkbench.gui.qt import colors
 from vkworkbench.gui.qt.plain_text import lines
 from vkworkbench.gui.qt.sentences import plain_sentence, sentence, user
@@ -54,7 +51,9 @@ def page(row: Row, first: list, others: list, opened: set[str]) -> str:
     if NUMBERS not in opened:
         return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "All Numbers")) + "</p>"
     html += _table(_cells(row, others) + _moves(row))
-    html += "".join(f"<p>{lines(advice)}</p>" for advice in _advice(row))
+    if row.found.resolution is not None:
+        recommended = translate("Vk_Results", "Recommended image: {}").format(sentence(row.found.resolution.why))
+        html += f"<p>{lines(recommended)}</p>"
     return html + "<p>" + _link(NUMBERS, translate("Vk_Results", "Fewer Numbers")) + "</p>"
 
 
@@ -109,14 +108,6 @@ def _moves(row: Row) -> list[tuple[str, str, str]]:
         (translate("Vk_Results", "Shortest Move at Feed"), measure(machining.shortest, 3), ""),
         (translate("Vk_Results", "Median Move at Feed"), measure(machining.median, 3), ""),
     ]
-
-
-def _advice(row: Row):
-    for simulator in SIMULATORS:
-        chosen = row.found.advice.get(simulator.name)
-        if chosen is not None:
-            text = FreeCAD.Qt.translate("Vk_Results", simulator.advice.sentence)
-            yield text.format(sentence(chosen.why), simulator=user().simulator(simulator.name))
 
 
 def _table(cells: list[tuple[str, str, str]]) -> str:
