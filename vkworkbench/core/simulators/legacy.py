@@ -16,7 +16,7 @@ import numpy as np
 from vkworkbench.core.simulators.constants import DEFAULTS, Constants
 from vkworkbench.core.simulators.heightmap import heightmaps
 from vkworkbench.core.simulators.legacy_mesh import BOX, mesh_facets
-from vkworkbench.core.simulators.simulator import Conditions, Task
+from vkworkbench.core.simulators.simulator import Task
 from vkworkbench.core.stocks import Solid
 from vkworkbench.core.tool import Tool
 from vkworkbench.core.toolpath import Toolpath
@@ -76,11 +76,6 @@ class LegacyCost:
     def memory_bytes(self) -> float:
         """float : memory of the grid and of the last mesh, bytes."""
         return _BYTES_PER_CELL * self.cells + self.constants.facet_bytes * self.facets
-
-
-def predict(task: Task, conditions: Conditions) -> LegacyCost:
-    """Estimate the cost of one operation at the accuracy that `conditions` gives."""
-    return legacy_cost(task, accuracy=conditions.legacy_accuracy, constants=conditions.constants)
 
 
 def legacy_cost(task: Task, *, accuracy: float = 0.1, constants: Constants = DEFAULTS) -> LegacyCost:

@@ -66,14 +66,7 @@ class OpenGLWork:
 def opengl_work(made: Motions, *, diameter: float, quality: int = 10) -> OpenGLWork:
     """Count the steps and draw calls as the OpenGL simulator does (``MillPathSegment`` and ``RenderSimulation``).
 
-    Parameters
-    ----------
-    made : Motions
-        Result of :func:`~vkworkbench.core.simulators.motions.motions`.
-    diameter : float
-        Diameter of the tool, mm.
-    quality : int
-        Position of the quality slider, 1 to 10.
+    `diameter` is the diameter of the tool, mm, and `quality` the position of the quality slider, 1 to 10.
     """
     # The simulator computes its resolution before it knows the stock, so it always uses a stock size of 100 mm.
     resolution = min(max(100 * 0.05 / quality, 0.5), 4.0)
@@ -161,12 +154,6 @@ class OpenGLCost:
     def frame_seconds(self) -> float:
         """float : time for the last frame of a play, and for each frame while the user turns the finished part, s."""
         return max(self.constants.refresh, self.constants.frame + self.drawing_seconds)
-
-
-def predict(task: Task, conditions: Conditions) -> OpenGLCost:
-    """Estimate the cost of one operation at the quality, and for all speeds of the FreeCAD version, in `conditions`."""
-    speeds = opengl_speeds(conditions.version)
-    return opengl_cost(task, speeds=speeds, quality=conditions.opengl_quality, constants=conditions.constants)
 
 
 def opengl_cost(

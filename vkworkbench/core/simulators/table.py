@@ -46,7 +46,7 @@ ZBUFFER = Simulator(
 LEGACY = Simulator(
     name=legacy.NAME,
     since=(0,),
-    predict=legacy.predict,
+    predict=lambda task, given: legacy.legacy_cost(task, accuracy=given.legacy_accuracy, constants=given.constants),
     together=legacy.legacy_together,
     cautions=legacy_cautions.cautions,
     kept=legacy.LegacyCost,
@@ -70,7 +70,9 @@ LEGACY = Simulator(
 OPENGL = Simulator(
     name=opengl.NAME,
     since=opengl.SINCE,
-    predict=opengl.predict,
+    predict=lambda task, given: opengl.opengl_cost(
+        task, speeds=opengl.opengl_speeds(given.version), quality=given.opengl_quality, constants=given.constants
+    ),
     together=opengl.opengl_together,
     cautions=opengl.cautions,
     kept=opengl.OpenGLCost,
