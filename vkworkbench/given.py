@@ -57,13 +57,7 @@ def whole(name: str, given: Any, takes: str, fits: Callable[[int], bool] = lambd
 
 
 def of_kind(name: str, given: Any, kinds: Any, takes: str) -> None:
-    """Check the type of an argument.
-
-    Raises
-    ------
-    TypeError
-        If the argument is not an instance of `kinds`.
-    """
+    """Raise a TypeError if an argument is not an instance of `kinds`; `takes` describes the accepted values."""
     if not isinstance(given, kinds):
         raise TypeError(f"{name} is {takes}, not {type(given).__name__}")
 

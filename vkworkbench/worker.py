@@ -78,9 +78,7 @@ class Worker:
     def get_ready(self) -> None:
         """Wait until the worker process has started, and send the function to it.
 
-        Raises
-        ------
-        WorkerDied
+        `WorkerDied` is raised if the process has died.
         """
         if self._ready:
             return
@@ -93,9 +91,7 @@ class Worker:
     def __call__(self, argument: Any) -> Any:
         """Call the function with an argument in the worker process, and wait for the result.
 
-        Raises
-        ------
-        WorkerDied
+        `WorkerDied` is raised if the process has died.
         """
         self.get_ready()
         self._say(argument)
@@ -179,12 +175,9 @@ def _limit_memory(most: float | None) -> None:
 
 
 def interpreter() -> str | None:
-    """Return the Python interpreter for new processes. FreeCAD is not an interpreter, but its folders contain one.
+    """Return the path of the Python interpreter for new processes, or None if none was found.
 
-    Returns
-    -------
-    str or None
-        Path of the interpreter; None if none was found.
+    FreeCAD is not an interpreter, but its folders contain one.
     """
     own = Path(sys.executable or "")
     if own.stem.startswith("python"):

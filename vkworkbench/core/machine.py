@@ -225,12 +225,8 @@ def _tangents(toolpath: Toolpath) -> tuple[np.ndarray, np.ndarray]:
 def _trapezoids(squared: np.ndarray, speed: np.ndarray, gain: np.ndarray, lengths: np.ndarray) -> np.ndarray:
     """Return the time of each move, (n,) s. In each move, the tool accelerates, keeps its speed, and brakes.
 
-    Parameters
-    ----------
-    squared : (n + 1,) ndarray
-        Squared speeds at the ends of the moves, mm^2/s^2.
-    speed, gain, lengths : (n,) ndarray
-        Largest speed, change of the squared speed at full acceleration, and length of each move.
+    `squared` (n + 1,) are the squared speeds at the ends of the moves, mm^2/s^2. `speed`, `gain` and `lengths` (n,) are
+    the largest speed, the change of the squared speed at full acceleration, and the length of each move.
     """
     enter, leave = squared[:-1], squared[1:]
     top = np.minimum(speed**2, (enter + leave + gain) / 2)

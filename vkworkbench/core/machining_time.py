@@ -123,18 +123,10 @@ def seconds_of_dwells(toolpath: Toolpath, *, machine: Machine | None = None) -> 
 
 
 def _timed(moves: np.ndarray, lengths: np.ndarray, seconds: np.ndarray) -> tuple[float, float | None, float, int]:
-    """Measure the lengths and times of the moves selected by `moves`, (n,) bool. Unknown times in `seconds` are NaN.
+    """Measure the moves selected by `moves`, (n,) bool. Unknown times in `seconds` are NaN.
 
-    Returns
-    -------
-    length : float
-        Length of the selected moves, mm.
-    seconds : float or None
-        Time of the moves whose speed is known, s; None if all speeds are unknown.
-    untimed : float
-        Length of the moves whose speed is unknown, mm.
-    missing : int
-        Number of moves whose speed is unknown.
+    The result consists of the length of the selected moves, mm; the time of the moves whose speed is known, s, None if
+    all speeds are unknown; and the length, mm, and the number of the moves whose speed is unknown.
     """
     timed = moves & ~np.isnan(seconds)
     length, missing = float(lengths[moves].sum()), int((moves & ~timed).sum())

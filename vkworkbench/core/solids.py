@@ -56,30 +56,15 @@ class Convex:
     upper: np.ndarray
 
     def chords(self, origins: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return where rays enter and leave the solid.
+        """Return where rays enter and leave the solid, (k,) each.
 
-        Parameters
-        ----------
-        origins : (k, 3) ndarray
-            One point of each ray, mm.
-        direction : (3,) ndarray
-            Common unit direction.
-
-        Returns
-        -------
-        near, far : (k,) ndarray
-            Signed distances from the origins, mm; ``near >= far`` if a ray misses the solid.
+        The results are signed distances from `origins`, one point (k, 3) of each ray, mm, along the common unit
+        direction; ``near >= far`` if a ray misses the solid.
         """
         raise NotImplementedError
 
     def spans(self, frame: Frame, x: np.ndarray, y: np.ndarray) -> Spans:
-        """Return the stretches of rays of a view inside the solid.
-
-        Parameters
-        ----------
-        x, y : (k,) ndarray
-            Image coordinates of the rays, mm.
-        """
+        """Return the stretches inside the solid of the rays at the image coordinates `x`, `y` (k,), mm."""
         near, far = self.chords(frame.origins(x, y), frame.direction)
         return Spans(near, far, Gaps(np.empty(0, np.int64), np.empty(0), np.empty(0)))
 

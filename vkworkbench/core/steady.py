@@ -29,16 +29,8 @@ def steady_seconds(
 
     Other processes on the computer can only make a measured time longer, so the shortest time is the best estimate.
     Three nearly equal times show that the computer was idle. The functions are called in turn, so that a short load on
-    the computer spoils only one measurement of each function.
-
-    Parameters
-    ----------
-    pieces : sequence of callable
-        The functions, which are called without arguments.
-    most : int
-        Largest number of measurements of each function.
-    going_on : callable
-        Called before each measurement. An exception from `going_on` ends all measurements.
+    the computer spoils only one measurement of each function. `most` is the largest number of measurements of each
+    function. `going_on` is called before each measurement; an exception from `going_on` ends all measurements.
     """
     times: list[list[float]] = [[] for _ in pieces]
     for _ in range(most):

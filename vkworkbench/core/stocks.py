@@ -274,10 +274,7 @@ Solid = Union[Convex, Mesh]
 def fitted(view: View, stock: Solid) -> Frame:
     """Return the view fitted to the stock.
 
-    Raises
-    ------
-    TypeError
-        If `view` is not a View, or `stock` is not a solid (for example a stock object of a document).
+    A TypeError is raised if `view` is not a View, or `stock` is not a solid (for example a stock object of a document).
     """
     of_kind("view", view, View, "a View(direction, width, height, ...)")
     of_kind("stock", stock, (Convex, Mesh), "a solid: a Stock(lower, upper), a Cylinder or a Mesh")

@@ -153,10 +153,5 @@ class Tool:
 
 
 def check_tool(given: object) -> None:
-    """Raise an error that explains how to make a tool, unless a Tool is given.
-
-    Raises
-    ------
-    TypeError
-    """
+    """Raise a TypeError that explains how to make a tool, unless a Tool is given."""
     of_kind("a tool", given, Tool, "a Tool(shape, diameter, ...)")

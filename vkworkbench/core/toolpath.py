@@ -219,12 +219,7 @@ class Toolpath:
 
 
 def check_toolpath(given: object) -> None:
-    """Raise an error that explains how to make a toolpath, unless a Toolpath is given.
-
-    Raises
-    ------
-    TypeError
-    """
+    """Raise a TypeError that explains how to make a toolpath, unless a Toolpath is given."""
     of_kind("a toolpath", given, Toolpath, "the Toolpath that linearize makes of commands")
 
 

@@ -68,11 +68,7 @@ def mark(report: Report) -> int:
 def analyzing_again(document, analyze: Callable) -> Iterator[None]:
     """Analyse and mark the operations with outdated marks, in steps that are executed when FreeCAD is idle.
 
-    Parameters
-    ----------
-    document : Document
-    analyze : callable
-        A function like ``vkworkbench.analyze``. If the user cancels the analysis, the marks stay outdated.
+    `analyze` is a function like ``vkworkbench.analyze``. If the user cancels the analysis, the marks stay outdated.
     """
     outdated = [o.object for o in find(document) if marks.is_outdated(o.object)]
     if outdated:

@@ -16,13 +16,7 @@ _FORMS = Path(__file__).resolve().parents[2] / "resources" / "ui"
 
 
 class FormPage:
-    """A page of the preferences dialog with a form. FreeCAD calls the page's methods to load and to save the values.
-
-    Parameters
-    ----------
-    file : str
-        Name of the form's file.
-    """
+    """A page of the preferences dialog with a form. FreeCAD calls the page's methods to load and to save the values."""
 
     def __init__(self, file: str) -> None:
         self.form = Gui.PySideUic.loadUi(str(_FORMS / file))

@@ -45,13 +45,7 @@ class JobCommand(DocumentCommand):
             _ask(self._title, text, found, [], lambda job: self._try(job, selected))
 
     def run(self, job, selected: list) -> None:
-        """Run the command.
-
-        Parameters
-        ----------
-        job : DocumentObject
-        selected : list of DocumentObject
-        """
+        """Run the command for a job, with the selected objects."""
         raise NotImplementedError
 
     @property

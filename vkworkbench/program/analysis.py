@@ -97,15 +97,11 @@ def report_of(rows: Iterable[OperationReport], chosen: Preferences) -> Report:
 
 
 def analyze_file(path: Path, chosen: Preferences) -> tuple[OperationReport, ...]:
-    """Analyse one program.
+    """Analyse one program, and return a row for each operation with a cut.
 
-    Returns
-    -------
-    tuple of OperationReport
-        One row for each operation with a cut. A row's document is the path of the file, and its job is the file's name.
-        The row's name and the commands of its spans are line numbers, counted from 1. A program without a cut has one
-        row. A file that cannot be read has one row, whose remarks contain the reason and which the total does not
-        include.
+    A row's document is the path of the file, and its job is the file's name. The row's name and the commands of its
+    spans are line numbers, counted from 1. A program without a cut has one row. A file that cannot be read has one row,
+    whose remarks contain the reason and which the total does not include.
     """
     try:
         rows = _rows(path, chosen)

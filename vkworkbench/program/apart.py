@@ -24,18 +24,9 @@ _workers: weakref.WeakSet[Worker] = weakref.WeakSet()
 def analyze_apart(path: Path, chosen: Preferences, patience: float) -> tuple[OperationReport, ...]:
     """Analyse one NC program as `analyze_file` does, in a separate process.
 
-    Each thread uses one process for all its programs.
-
-    Parameters
-    ----------
-    patience : float
-        Time limit of the analysis, s. The start of the process is not included.
-
-    Returns
-    -------
-    tuple of OperationReport
-        The rows of the program. If the process died or exceeded the time limit, the result is one row whose remark
-        states the reason.
+    Each thread uses one process for all its programs. `patience` is the time limit of the analysis, s, without the
+    start of the process. If the process died or exceeded the time limit, the result is one row whose remark states the
+    reason.
     """
     begin = float("inf")
     try:

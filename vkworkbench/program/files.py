@@ -45,23 +45,14 @@ _ZIP, _FIRST_NAME = b"PK\3\4", 30  # the first bytes of an archive, and the offs
 def find_programs(what: Iterable[str | os.PathLike], left_out: list[Path]) -> Iterator[Path]:
     """Yield the named files, and all NC programs in the named folders.
 
-    A file in a folder is a program if it has the suffix of one, or if it is a text that consists of G-code.
+    A file in a folder is a program if it has the suffix of one, or if it is a text that consists of G-code. The other
+    files in folders are added to `left_out`.
 
     Subfolders and symbolic links to folders are also searched, sorted by name. Each file is yielded once. A folder that
     cannot be read is yielded instead of its files, so that the attempt to read it reports the error.
 
-    Parameters
-    ----------
-    what : iterable of paths
-        Files and folders.
-    left_out : list of Path
-        Receives the files in folders that do not look like programs.
-
-    Raises
-    ------
-    ValueError
-        If a name is empty, for example from a cancelled file dialog, because an empty name should not mean the current
-        folder. If a name is the text of a program, not a path.
+    A ValueError is raised if a name is the text of a program, or if a name is empty, for example from a cancelled file
+    dialog, because an empty name should not mean the current folder.
     """
     what = list(what)
     if "" in what:
@@ -149,13 +140,7 @@ def _is_endless(path: str | Path) -> bool:
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return the content of a file, decompressed.
-
-    Raises
-    ------
-    Unusable
-        If the file cannot be read, or its content is too large.
-    """
+    """Return the content of a file, decompressed. Raise `Unusable` if the file is unreadable or too large."""
     if _is_endless(path):
         raise Unusable(Message("no-file"))
     try:
@@ -174,11 +159,8 @@ def read_bytes(path: Path) -> bytes:
 def text_of(data: bytes) -> str:
     """Return the text of a program. The encoding can be UTF-8, UTF-16, or Windows' Cyrillic or Western code page.
 
-    Raises
-    ------
-    Unusable
-        If the data is not text, or has too many or too long lines. Lines shorter than `LONGEST_LINE` are always
-        accepted. Lines of at least twice the length `LONGEST_LINE` are always refused.
+    `Unusable` is raised if the data is not text, or has too many or too long lines. Lines shorter than `LONGEST_LINE`
+    are always accepted. Lines of at least twice the length `LONGEST_LINE` are always refused.
     """
     text = _decoded(data)
     if text.count("\n") + text.count("\r") - text.count("\r\n") > MOST_LINES:

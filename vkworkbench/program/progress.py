@@ -19,12 +19,7 @@ _SMALL = 2000  # Work of opening a file, as the number of bytes whose analysis t
 class Progress:
     """Report the progress to a stream. The remaining time is estimated from the sizes of the files.
 
-    Parameters
-    ----------
-    paths : iterable of Path
-        Files to analyse.
-    stream : TextIO
-        A terminal shows one line that changes. A stream that is not a terminal gets a new line for each report.
+    A terminal shows one line that changes. A stream that is not a terminal gets a new line for each report.
     """
 
     def __init__(self, paths: Iterable[Path], stream: TextIO) -> None:

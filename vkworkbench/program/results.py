@@ -42,13 +42,7 @@ def _open_untruncated(path: str, flags: int) -> int:
 
 
 def _lock(file: io.FileIO | BinaryIO) -> None:
-    """Lock a file until the file is closed or this process ends.
-
-    Raises
-    ------
-    BlockingIOError
-        If another process has locked the file.
-    """
+    """Lock a file until it is closed or this process ends. Raise BlockingIOError if another process has locked it."""
     try:
         if sys.platform == "win32":
             import msvcrt
@@ -99,10 +93,7 @@ class Csv:
     def document(self, line: bytes) -> tuple[str, bool]:
         """Return the program whose results are in a line, and whether the program was read.
 
-        Raises
-        ------
-        ValueError
-            If the number of cells in the line differs from the number of columns.
+        A ValueError is raised if the number of cells in the line differs from the number of columns.
         """
         (cells,) = csv.reader([_text(line)])
         if len(cells) != len(self._names):

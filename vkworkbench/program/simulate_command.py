@@ -76,10 +76,7 @@ def check_options(asked: argparse.Namespace, programs: int) -> str | None:
 def simulate_programs(paths: Iterable[Path], asked: argparse.Namespace) -> int:
     """Simulate programs, print the facts of each, and return the number of programs that could not be simulated.
 
-    Raises
-    ------
-    OSError
-        If the picture or the solid cannot be written.
+    An OSError is raised if the picture or the solid cannot be written.
     """
     failed = 0
     for path in paths:

@@ -94,14 +94,9 @@ def closed_loops(moves: Moves) -> tuple[np.ndarray, np.ndarray]:
 def _vertices(moves: Moves, winds: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return the vertices of the areas that `winds` selects: first the start of every move, then the end of every area.
 
-    Returns
-    -------
-    x, y : (v,) float
-        Coordinates in units of LOOPS.CLOSE, at least 0.
-    at : (v,) int
-        Index of the move that begins at the vertex; for the end of an area, the index after its last move.
-    area : (v,) uint32
-        Number of the vertex's area among the selected areas; an empty array if only one area is selected.
+    The result consists of four arrays (v,): x and y in units of LOOPS.CLOSE, at least 0; the index of the move that
+    begins at the vertex, or for the end of an area, the index after its last move; and the number of the vertex's area
+    among the selected areas, which is an empty array if only one area is selected.
     """
     end = np.append(moves.start[1:], len(moves))
     size = end - moves.start

@@ -15,10 +15,6 @@ def plane_of_points(points: np.ndarray) -> tuple[int, ...]:
     """Return the two axes of a polyline's plane, and the axis of the plane's normal.
 
     The plane is XY, unless Z changes and only one of X and Y changes.
-
-    Parameters
-    ----------
-    points : (n+1, 2) or (n+1, 3) float64
     """
     if points.shape[1] == 3 and len(points):
         still_x, still_y = (points[:, axis].min() == points[:, axis].max() for axis in (0, 1))
@@ -33,12 +29,6 @@ def plane_of_toolpath(points: np.ndarray, rapid: np.ndarray) -> tuple[int, ...]:
     The plane is XY, unless all cuts are in one vertical plane and some cuts slope (contouring in G18). In XY, all rows
     of a toolpath in a vertical plane would be on one line. A slot that is cut at several depths, by horizontal passes
     and vertical plunges, has no sloping cuts, so its plane is XY.
-
-    Parameters
-    ----------
-    points : (n+1, 3) float64
-        mm.
-    rapid : (n,) bool
     """
     every = len(rapid) // 50 + 1
     few = np.flatnonzero(~rapid[::every]) * every

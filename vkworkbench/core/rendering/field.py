@@ -99,11 +99,8 @@ class Layer:
     def wall_normals(self, cell: np.ndarray) -> np.ndarray:
         """Return the horizontal normals of the walls below the tops of cells (k,), pointing away from the material.
 
-        Returns
-        -------
-        (2, k) float32
-            x and y of unit vectors; 0 for the walls of a pin, or of a rib between two slots, which face several
-            directions.
+        The result (2, k) float32 has x and y of unit vectors; 0 for the walls of a pin, or of a rib between two slots,
+        which face several directions.
         """
         known = self._wall_normals
         unknown = np.zeros(self.top.size, bool)

@@ -171,12 +171,8 @@ def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, cou
 def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     """Return the first step, from front to rear, at which the horizon reaches each pixel, (height, width) int32.
 
-    For pixels that the horizon never reaches, the result is the number of the last step.
-
-    Parameters
-    ----------
-    back : (n, width) float32
-        Screen heights of the rear edges of the tops, pixels.
+    For pixels that the horizon never reaches, the result is the number of the last step. `back` (n, width) contains the
+    screen heights of the rear edges of the tops, pixels.
     """
     steps, width = back.shape
     covered = np.empty((steps, width), np.int32)  # number of pixels below the horizon before each step
@@ -201,14 +197,9 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
 def _first_between(low: np.ndarray, back: np.ndarray, row: np.ndarray) -> np.ndarray:
     """Return the first step, front to rear, at which each pixel sees a column of material, (height, width) int32.
 
-    The lower ends of the columns of material can be at different heights.
-
-    Parameters
-    ----------
-    low, back : (n, width) float32
-        Screen heights of the lower end of each column, and of the rear edge of its top, pixels.
-    row : (pixels,) float32
-        Screen height of the centre of each pixel, pixels.
+    The lower ends of the columns of material can be at different heights. `low` and `back` (n, width) contain the
+    screen heights of the lower end of each column, and of the rear edge of its top, pixels. `row` (pixels,) contains
+    the screen height of the centre of each pixel, pixels.
     """
     steps, width = low.shape
     height = len(row) // width

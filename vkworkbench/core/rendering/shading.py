@@ -85,18 +85,10 @@ def _steps(depth: np.ndarray, unit: float, axis: int) -> tuple[np.ndarray, np.nd
 
 
 def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
-    """Return the slope of a height field along an axis, (n, m) float32.
+    """Return the slope of a height field (n, m), mm, along an axis, (n, m) float32. `cell` is the side of a cell, mm.
 
     The slope of a cell is the smaller of the slopes to its two neighbours along the axis; between two empty cells it is
     0.
-
-    Parameters
-    ----------
-    height : (n, m) float32
-        mm.
-    cell : float
-        Side of a cell, mm.
-    axis : int
     """
     height = height.T if axis == 0 else height
     step = (height[:, 1:] - height[:, :-1]) * np.float32(1 / cell)
@@ -109,16 +101,10 @@ def slope(height: np.ndarray, cell: float, axis: int) -> np.ndarray:
 
 
 def shadow(height: np.ndarray, cell: float) -> np.ndarray:
-    """Return the share of the light that reaches each cell of a height field, (n, m) float32.
+    """Return the share of the light that reaches each cell of a height field (n, m), mm, (n, m) float32.
 
-    The share decreases with the cell's depth below the mean height of its surroundings.
-
-    Parameters
-    ----------
-    height : (n, m) float32
-        mm.
-    cell : float
-        Side of a cell, mm.
+    The share decreases with the cell's depth below the mean height of its surroundings. `cell` is the side of a cell,
+    mm.
     """
     coarse = height[::_SHADOW_CELLS, ::_SHADOW_CELLS]
     around = coarse
@@ -144,12 +130,8 @@ def _mean_of_rows(values: np.ndarray, reach: int) -> np.ndarray:
 def light(normal: tuple[np.ndarray, ...], towards: np.ndarray) -> np.ndarray:
     """Return the brightness of surfaces from ambient light and Lambert's law; it is 1 if a surface faces the viewer.
 
-    Parameters
-    ----------
-    normal : tuple of 3 ndarray
-        Components x, y and z of the unit normals of the surfaces.
-    towards : (3,) ndarray
-        Direction to the light, see `LIGHT`, in the coordinates of the normals.
+    `normal` contains the components x, y and z of the unit normals of the surfaces, and `towards` (3,) the direction to
+    the light, see `LIGHT`, in the coordinates of the normals.
     """
     x, y, z = normal
     toward_x, toward_y, toward_z = (np.float32(part) for part in towards)

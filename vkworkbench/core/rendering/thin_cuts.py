@@ -38,14 +38,9 @@ class ThinCuts(NamedTuple):
 def thin_cuts(zbuffer: ZBuffer, top: np.ndarray) -> ThinCuts:
     """Return the points of narrow cuts at which the tool's tip is below the surface and the nearest ray was not cut.
 
-    Up to `_BESIDE` points before and after a returned point along the path are included, too.
-
-    Parameters
-    ----------
-    zbuffer : ZBuffer
-        The simulation from above, at the moment to show.
-    top : (rows, columns) float32
-        Height of the part's surface on each ray above the centre of the stock, mm; `EMPTY` on a ray without material.
+    Up to `_BESIDE` points before and after a returned point along the path are included, too. The z-buffer is the
+    simulation from above, at the moment to show. `top` (rows, columns) is the height of the part's surface on each ray
+    above the centre of the stock, mm; `EMPTY` on a ray without material.
     """
     frame = zbuffer.frame
     if _sampled_before.get(zbuffer.cuts, (0.0,))[0] != frame.pixel:

@@ -23,10 +23,8 @@ def as_data(name: str, cost: Cost) -> dict[str, Any]:
 def from_data(name: str, data: Any) -> Cost:
     """Convert data from `as_data` back to a cost. Constants that this version of the add-on does not have are ignored.
 
-    Raises
-    ------
-    LookupError, TypeError, ValueError
-        If `data` does not describe a cost, for example because another version of the add-on has written it.
+    A LookupError, TypeError or ValueError is raised if `data` does not describe a cost, for example because another
+    version of the add-on has written it.
     """
     kind = _kind(name)
     return kind(**{field.name: _value(field.name, data[field.name]) for field in fields(kind)})

@@ -66,19 +66,10 @@ def mesh_facets(heights: np.ndarray, size: float, resolution: float, *, lower: f
 def bottom_rectangles(kept: np.ndarray) -> int:
     """Count the rectangles into which the legacy simulator divides the lower face (``TesselBot`` in VolSim.cpp).
 
-    From the first free cell, a rectangle grows alternately to the right and upwards. If the rectangle is more than five
-    times as long as wide, FreeCAD, because of an error, covers only a single cell, at a distance of five widths, and
-    starts again. Beside a curved outline, nearly all rectangles are too long, so the face is divided into pieces of
-    about one by five cells.
-
-    Parameters
-    ----------
-    kept : (nx, ny) bool
-        False for the cells in which the stock is cut through.
-
-    Returns
-    -------
-    int
+    `kept` (nx, ny) is False for the cells in which the stock is cut through. From the first free cell, a rectangle
+    grows alternately to the right and upwards. If the rectangle is more than five times as long as wide, FreeCAD,
+    because of an error, covers only a single cell, at a distance of five widths, and starts again. Beside a curved
+    outline, nearly all rectangles are too long, so the face is divided into pieces of about one by five cells.
     """
     # Each row of cells is stored as one integer, with one bit for each cell. A set bit means a free cell, which has
     # material and belongs to no rectangle yet.

@@ -30,18 +30,8 @@ class Motions:
 def motions(toolpath: Toolpath) -> Motions:
     """Join the chords of each arc, and replace each drilling cycle by the three motions that both simulators make.
 
-    Arcs in the ZX and YZ planes remain chords. The simulators read arcs in the ZX and YZ planes as arcs in the XY plane
-    and draw them wrongly.
-
-    Parameters
-    ----------
-    toolpath : Toolpath
-        The trajectories.
-
-    Returns
-    -------
-    Motions
-        The motions in the order of the commands, without motions of drilling cycles whose length is 0.
+    Arcs in the ZX and YZ planes remain chords. The simulators read these arcs as arcs in the XY plane and draw them
+    wrongly. The motions are in the order of the commands, without motions of drilling cycles whose length is 0.
     """
     n = len(toolpath)
     if n == 0:

@@ -12,14 +12,10 @@ from typing import Any, Mapping
 class OnDemand(Mapping[str, Any]):
     """Mapping from names to values, each of which is computed once, at its first use.
 
+    `makers` contains the function that computes each value; the function raises KeyError if the value does not exist.
     If the computation of a value fails, the mapping does not contain the value, and the error is written to the log.
     Iterating over the mapping, copying it or pickling it computes all values. Converting the mapping to `bool` computes
     no value.
-
-    Parameters
-    ----------
-    makers : dict of str to callable
-        The function that computes each value; it raises KeyError if the value does not exist.
     """
 
     def __init__(self, makers: dict[str, Callable[[], Any]]) -> None:

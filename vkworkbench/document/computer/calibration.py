@@ -61,11 +61,7 @@ def constants(speed: Speed, renderer: str = "") -> Constants:
     """Return the constants of FreeCAD's simulators, scaled by the speed of this computer in the extended z-buffer.
 
     The times of the timer and of pictures on a graphics card do not depend on the processor, and are not scaled.
-
-    Parameters
-    ----------
-    renderer : str
-        The name that OpenGL reports for its renderer; empty without a window.
+    `renderer` is the name that OpenGL reports for its renderer; it is empty without a window.
     """
     slowness = float(np.median(speed.constants / Speed().constants))
     own = {name: slowness * getattr(DEFAULTS, name) for name in ("start", "cell", "facet", "profile")}
@@ -80,12 +76,9 @@ def constants(speed: Speed, renderer: str = "") -> Constants:
 def measured_speed(going_on: Callable[[], object] = lambda: None) -> Speed:
     """Return the speed of this computer in the extended z-buffer; measure the speed if it was never measured.
 
-    With a window, the default speed is returned before the first measurement, which starts when the user pauses.
-
-    Parameters
-    ----------
-    going_on : callable
-        Called every tenth of a second during a measurement. If `going_on` raises an exception, the measurement ends.
+    With a window, the default speed is returned before the first measurement, which starts when the user pauses. During
+    a measurement, `going_on` is called every tenth of a second. If `going_on` raises an exception, the measurement
+    ends.
     """
     if FreeCAD.GuiUp or load() is not None:
         return known_speed()
@@ -104,16 +97,8 @@ def known_speed() -> Speed:
 def calibrate(going_on: Callable[[], object] = lambda: None) -> Calibration:
     """Measure the extended z-buffer on this computer until the times are steady, and save the result.
 
-    Parameters
-    ----------
-    going_on : callable
-        Called every tenth of a second. If `going_on` raises an exception, the measurement ends, and the earlier
-        calibration stays.
-
-    Raises
-    ------
-    OSError
-        If the user data folder cannot be written.
+    `going_on` is called every tenth of a second. If `going_on` raises an exception, the measurement ends, and the
+    earlier calibration stays. An OSError is raised if the user data folder cannot be written.
     """
     measured = _measure(going_on)
     _save(measured)

@@ -62,13 +62,7 @@ def readable_clamps(clamps: Iterable) -> tuple[dict[str, Solid], tuple[Message, 
 
 
 def clamp_solids(clamps: Iterable) -> dict[str, Solid]:
-    """Return the solids of clamps, by their labels.
-
-    Raises
-    ------
-    Unusable
-        If an object has no closed solid.
-    """
+    """Return the solids of clamps, by their labels. Raise `Unusable` if an object has no closed solid."""
     return dict(_solid_of(obj) for obj in clamps)
 
 

@@ -107,16 +107,9 @@ def setting_fingerprint(
 ) -> str:
     """Return the fingerprint of tool, stock and rapid speeds.
 
-    Parameters
-    ----------
-    tool : Tool or None
-        None for an unreadable tool.
-    stock : Stock or None
-        The exact box around the stock; None for an unreadable stock.
-    form : iterable
-        The form of a stock that is not a box, from `form_of_stock`.
-    rapids : tuple of float
-        The speeds from `rapid_feeds`, mm/s.
+    `tool` is None for an unreadable tool. `stock` is the exact box around the stock; None for an unreadable stock.
+    `form` is the form of a stock that is not a box, from `form_of_stock`. `rapids` are the speeds from `rapid_feeds`,
+    mm/s.
     """
     parts = [None, None]
     if tool is not None:
@@ -170,11 +163,8 @@ def read_setting_fingerprints(obj, job) -> tuple[str, str]:
 class Settings:
     """Fingerprints of the current settings (tool and stock) of operations. Each pair of tool and stock is read once.
 
-    Parameters
-    ----------
-    opened : bool
-        Whether the document was just opened. Because FreeCAD adds a stock to each opened job without a stock, a
-        fingerprint without a stock is valid, too.
+    If the document was just opened (`opened`), a fingerprint without a stock is valid, too, because FreeCAD adds a
+    stock to each opened job without a stock.
     """
 
     def __init__(self, *, opened: bool = False) -> None:

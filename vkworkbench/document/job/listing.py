@@ -13,23 +13,13 @@ _NUMBER = re.compile(r"([A-Z])(-?\d+\.\d+)")
 
 
 class Listing:
-    """The G-code of a path, one line for each command number.
+    """The G-code of a path (`text`), one line for each command number.
 
-    Parameters
-    ----------
-    text : str
-        G-code of the path, one line for each command.
-    commands : sequence of Command
-        The path's commands. If comments contain line breaks, the lines are made from the commands, not from the text.
-
-    Attributes
-    ----------
-    in_minutes : bool
-        Whether feeds are in mm/min, as in NC programs. Feeds of FreeCAD's own operations are in mm/s.
+    If comments contain line breaks, the lines are made from the commands, not from the text.
     """
 
     def __init__(self, text: str, commands: Sequence = ()) -> None:
-        self.in_minutes = False
+        self.in_minutes = False  # whether feeds are in mm/min, as in NC programs; FreeCAD's own feeds are in mm/s
         self._set(text)
         if len(self) != len(commands):
             self._set("".join(command.toGCode().replace("\n", " ") + "\n" for command in commands))
@@ -42,13 +32,7 @@ class Listing:
         return len(self._ends)
 
     def __getitem__(self, command: int) -> str:
-        """Return the G-code of a command as in a program: feeds in mm/min, at most three decimals.
-
-        Raises
-        ------
-        IndexError
-            If no command has this number.
-        """
+        """Return the G-code of a command as in a program: feeds in mm/min, at most three decimals."""
         begin = self._ends[command - 1] + 1 if command else 0
         code = self._text[begin : self._ends[command]].decode()
         return code if code.startswith("(") else _NUMBER.sub(self._word, code)

@@ -136,12 +136,8 @@ def is_group(obj) -> bool:
 def or_active_document(what):
     """Return `what`, or the active document if it is None.
 
-    Raises
-    ------
-    ValueError
-        If no document is open.
-    Unusable
-        If FreeCAD is still reading a document, whose objects have no toolpaths yet.
+    A ValueError is raised if no document is open, and `Unusable` if FreeCAD is still reading a document, whose objects
+    have no toolpaths yet.
     """
     if what is None:
         what = FreeCAD.ActiveDocument
@@ -156,24 +152,10 @@ def or_active_document(what):
 def find(what) -> list[Operation]:
     """Return the operations of a document, a job, an operation, or a list of documents and objects.
 
-    Parameters
-    ----------
-    what : Document, DocumentObject, or iterable of these objects
-        A document stands for all its jobs and the toolpaths outside the jobs. A job, or its group of operations, stands
-        for the operations of the job. A folder stands for its members. Objects that are not listed here have no
-        toolpath.
-
-    Returns
-    -------
-    list of Operation
-        The operations in the order of posting, each once, a dress-up before its base.
-
-    Raises
-    ------
-    ReferenceError
-        If an object was deleted, or a document closed.
-    TypeError
-        If `what` is of another type.
+    A document stands for all its jobs and the toolpaths outside the jobs. A job, or its group of operations, stands for
+    the operations of the job. A folder stands for its members. Objects that are not listed here have no toolpath. The
+    operations are in the order of posting, each once, a dress-up before its base. A ReferenceError is raised if an
+    object was deleted, or a document closed.
     """
     return list(_once(_find(what, {})).values())
 

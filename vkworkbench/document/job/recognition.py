@@ -54,14 +54,8 @@ def rotary_cut(toolpath: Toolpath) -> Problem | None:
 def recognize_operation(toolpath: Toolpath, tool_diameter: float | None, imported: bool) -> tuple[Recognition, bool]:
     """Return the strategy of an operation's toolpath, and whether FreeCAD has read its inches as millimetres.
 
-    Parameters
-    ----------
-    toolpath : Toolpath
-        The toolpath, moved by the placement of its operation.
-    tool_diameter : float or None
-        Diameter of the tool, mm.
-    imported : bool
-        Whether the toolpath possibly comes from a file, whose G20 (inches) FreeCAD's importer ignores.
+    The toolpath is moved by the placement of its operation. `imported` is True if the toolpath possibly comes from a
+    file, whose G20 (inches) FreeCAD's importer ignores.
     """
     if (
         imported

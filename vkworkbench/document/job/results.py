@@ -28,12 +28,8 @@ _MAX_TRAJECTORIES = 10_000_000
 class ResultCache:
     """A cache of the results of operations, each stored as a row of a report.
 
-    If a limit is exceeded, the rows that were not used for the longest time are dropped.
-
-    Parameters
-    ----------
-    max_rows, max_trajectories : int
-        Maximum number of rows, and maximum total number of trajectories in these rows.
+    If the number of rows or the total number of their trajectories exceeds its limit, the rows that were not used for
+    the longest time are dropped.
     """
 
     def __init__(self, max_rows: int = _MAX_ROWS, max_trajectories: int = _MAX_TRAJECTORIES) -> None:

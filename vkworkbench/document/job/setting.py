@@ -36,15 +36,10 @@ _WHOLE_EDGE = ("chamfer", "countersink")
 
 
 class ShapeCache:
-    """A cache of results that were computed for the most recently used shapes.
+    """A cache of `size` results that were computed for the most recently used shapes.
 
     The cache also stores the shapes, because a new shape at the memory address of a deleted shape would otherwise get
     the result of the deleted shape.
-
-    Parameters
-    ----------
-    size : int
-        Number of results that are stored.
     """
 
     def __init__(self, size: int) -> None:
@@ -77,13 +72,7 @@ def controller_of(operation):
 
 
 def read_tool(operation) -> Tool:
-    """Return the tool of an operation.
-
-    Raises
-    ------
-    Unusable
-        If the operation has no tool, or the tool has impossible dimensions.
-    """
+    """Return the tool of an operation. Raise `Unusable` if there is no tool, or if its dimensions are impossible."""
     controller = controller_of(operation)
     if controller is None:
         raise Unusable(Message("no-tool") if takes_tool(operation) else Message("no-tool-possible"))
@@ -158,13 +147,7 @@ def _radians(degrees: float | None) -> float | None:
 
 
 def read_stock(job) -> Stock:
-    """Return the box around a job's stock.
-
-    Raises
-    ------
-    Unusable
-        If there is no job, no stock, or a stock without volume.
-    """
+    """Return the box around a job's stock. Raise `Unusable` if there is no job, no stock, or a stock without volume."""
     if job is None:
         raise Unusable(Message("no-job"))
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
@@ -207,10 +190,7 @@ def vertical_feed(operation) -> float:
 def placed(toolpath: Toolpath, placement) -> Toolpath:
     """Return the toolpath moved by the operation's placement.
 
-    Raises
-    ------
-    Unusable
-        If the placement is not finite, or farther than a kilometre from the origin along an axis.
+    `Unusable` is raised if the placement is not finite, or farther than a kilometre from the origin along an axis.
     """
     if placement is None or placement.isIdentity():
         return toolpath

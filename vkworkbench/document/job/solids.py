@@ -35,15 +35,7 @@ _FACTOR = 1.0037
 
 
 def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
-    """Return a job's stock as a solid; if its shape cannot be used, return its box and a remark with the reason.
-
-    Parameters
-    ----------
-    job : DocumentObject
-        A job with a stock.
-    box : Stock
-        The box around the stock.
-    """
+    """Return a job's stock as a solid; if its shape cannot be used, return its `box` and a remark with the reason."""
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     solid, reason = _solids.of(shape, lambda: _solid_or_reason(shape, box))
     return (solid, None) if reason is None else (box, Message("stock-as-box", label=job.Label, sentence=reason))
@@ -52,19 +44,8 @@ def stock_solid(job, box: Stock) -> tuple[Solid, Message | None]:
 def form_of_stock(job, box: Stock) -> tuple:
     """Return the form of a job's stock for a fingerprint; empty for a box.
 
-    The form does not depend on the mesh that displays the stock.
-
-    Parameters
-    ----------
-    job : DocumentObject
-        A job with a stock.
-    box : Stock
-        The box around the stock.
-
-    Returns
-    -------
-    tuple
-        A name; for a solid that is not a cylinder, also the volume, the area and the centre, with five digits.
+    The form is a name; for a solid that is not a cylinder, also the volume, the area and the centre, with five digits.
+    The form does not depend on the mesh that displays the stock. `box` is the box around the stock.
     """
     shape = freecad.SHAPE.of(freecad.STOCK.of(job))
     return _forms.of(shape, lambda: _form(shape, box))
@@ -150,13 +131,7 @@ def _solid_or_reason(shape, box: Stock) -> tuple[Solid, None] | tuple[None, Mess
 
 
 def solid_of(shape, box: Stock) -> Solid:
-    """Return a shape as a solid: its box, an upright cylinder, or triangles.
-
-    Raises
-    ------
-    Unusable
-        If the shape is not closed.
-    """
+    """Return a shape as a box, an upright cylinder, or triangles. Raise `Unusable` if the shape is not closed."""
     kind = _kind(shape, box)
     if kind is Stock:
         return box

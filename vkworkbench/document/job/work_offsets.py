@@ -14,12 +14,9 @@ _OFFSETS = tuple(OFFSETS)
 
 
 class WorkOffsets:
-    """Follows the active work offset from one operation to the next.
+    """Follows the active work offset from one operation of a job to the next.
 
-    Parameters
-    ----------
-    job : DocumentObject, optional
-        A job, whose first work offset (FreeCAD: fixture) is active before its operations.
+    The first work offset of the job (FreeCAD: fixture) is active before its operations.
     """
 
     def __init__(self, job=None) -> None:
@@ -30,15 +27,7 @@ class WorkOffsets:
         )
 
     def remark(self, words: Words, toolpath: Toolpath) -> Message | None:
-        """Read the next operation; return a remark if it moves at another work offset than the very first move.
-
-        Parameters
-        ----------
-        words : Words
-            The commands of the operation.
-        toolpath : Toolpath
-            The trajectories of the operation.
-        """
+        """Read the next operation; return a remark if it moves at another work offset than the very first move."""
         rows = np.flatnonzero(np.isin(words.codes, _OFFSETS)).tolist()
         names = [self._now, *(words.names[row] for row in rows)]
         begins = np.searchsorted(toolpath.command, [0, *rows, len(words)]).tolist()

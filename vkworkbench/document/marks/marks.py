@@ -179,22 +179,11 @@ def _total_fingerprint(job, parts: dict[Any, Record | None]) -> str:
 def refresh(obj, settings_of: Callable, *, path_changed: bool, setting_changed: bool) -> bool:
     """Make a mark outdated if its operation has changed, or valid again if the change was undone.
 
-    The mark of an operation without toolpath because it was switched off is not outdated, and shows "switched off".
-
-    Parameters
-    ----------
-    obj : DocumentObject
-        An operation. An operation without a mark is ignored.
-    settings_of : callable
-        Returns the valid fingerprints of an operation's setting (tool and stock).
-    path_changed, setting_changed : bool
-        Whether the path or the setting has possibly changed since the last comparison. If the mark is outdated, or the
-        operation was switched off, path and setting are compared in any case.
-
-    Returns
-    -------
-    bool
-        Whether the mark changed.
+    The mark of an operation without toolpath because it was switched off is not outdated, and shows "switched off". An
+    operation without a mark is ignored. `settings_of` returns the valid fingerprints of an operation's setting (tool
+    and stock). `path_changed` and `setting_changed` are True if the path or the setting has possibly changed since the
+    last comparison. If the mark is outdated, or the operation was switched off, path and setting are compared in any
+    case. The result is True if the mark changed.
     """
     known = _kept(obj)
     if known is None:

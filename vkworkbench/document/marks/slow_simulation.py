@@ -16,13 +16,8 @@ from vkworkbench.report import HANGS
 def warning_at_start(simulator: str, records: Sequence[Record | None], chosen: Preferences) -> Message | None:
     """Return the warning for a simulator of FreeCAD that is started on operations.
 
-    Return None if the simulator does not hang, and its time is within the budget or unknown.
-
-    Parameters
-    ----------
-    simulator : str
-    records : sequence of Record or None
-        The marks of the operations, None for an operation without a mark. Outdated marks are ignored.
+    Return None if the simulator does not hang, and its time is within the budget or unknown. `records` are the marks of
+    the operations, None for an operation without a mark. Outdated marks are ignored.
     """
     fresh = [record for record in records if record is not None and not record.outdated]
     hangs = _hangs(simulator, fresh)

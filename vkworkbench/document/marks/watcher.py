@@ -93,16 +93,10 @@ def comparing(
 ) -> Iterator[None]:
     """Compare marks with their operations in steps of milliseconds, and make marks outdated or valid again.
 
-    Parameters
-    ----------
-    document : Document
-    paths : set of str, optional
-        Names of the operations whose path has possibly changed since the mark; None for all operations.
-    settings : bool
-        Whether tools, stocks or groups have possibly changed since the marks.
-    opened : bool
-        Whether the document was just opened. The stock that FreeCAD adds to each opened job without a stock does not
-        make a mark outdated.
+    `paths` contains the names of the operations whose path has possibly changed since the mark; None stands for all
+    operations. `settings` is True if tools, stocks or groups have possibly changed since the marks. If the document was
+    just opened (`opened`), the stock that FreeCAD adds to each opened job without a stock does not make a mark
+    outdated.
     """
     settings_of = Settings(opened=opened).of
     if settings or paths is None:

@@ -25,11 +25,7 @@ _NOT_DEEPER = 0.9
 def allowed_depth(obj, tool: Tool | None, simplified: Message | None) -> float:
     """Return how deep an operation may cut into the model, mm; infinite if an end mill is simulated for its tool.
 
-    Parameters
-    ----------
-    obj : DocumentObject
-    simplified : Message or None
-        The remark that a simpler shape is simulated instead of the tool.
+    `simplified` is the remark that a simpler shape is simulated instead of the tool, if any.
     """
     if tool is None:
         return 0.0

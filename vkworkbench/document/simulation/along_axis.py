@@ -65,18 +65,9 @@ def simulate_along_axis(
 ) -> AlongAxis:
     """Simulate a job along its tool axis, as finely as is useful and as the budgets allow, and check its rapids.
 
-    Parameters
-    ----------
-    memory_budget : float
-        Upper bound for the memory, bytes. The time budget comes from the preferences.
-    going_on : callable, optional
-        Called many times a second with the completed share of the simulation, 0 to 1. If `going_on` raises an
-        exception, the simulation ends.
-
-    Raises
-    ------
-    OverBudget
-        If the memory is too small even for an image of one pixel.
+    The time budget comes from the preferences. `going_on` is called many times a second with the completed share of the
+    simulation, 0 to 1. If `going_on` raises an exception, the simulation ends. `OverBudget` is raised if the memory,
+    bytes, is too small even for an image of one pixel.
     """
     end = time.monotonic() + preferences.read().time_budget
     zbuffer = zbuffer_along_axis(job, memory_budget, going_on)

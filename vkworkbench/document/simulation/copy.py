@@ -126,10 +126,7 @@ class JobCopy:
     def copying(self) -> Iterator[None]:
         """Copy one operation in each step. FreeCAD can handle events between two steps.
 
-        Raises
-        ------
-        ReferenceError
-            If an operation was deleted between two steps.
+        A ReferenceError is raised if an operation was deleted between two steps.
         """
         if self._previous is not None:
             yield from self._previous.copying()
@@ -168,10 +165,7 @@ class JobCopy:
     def comparing(self, changed: Container[str]) -> Generator[None, None, bool]:
         """Compare the document with the copies, in steps of milliseconds; return whether both are equal.
 
-        Parameters
-        ----------
-        changed : container of str
-            Names of the operations whose path has possibly changed.
+        `changed` contains the names of the operations whose path has possibly changed.
         """
         try:
             objects, job = _posted(self.asked())
@@ -198,13 +192,7 @@ class JobCopy:
         return True
 
     def job(self, read: Iterable[ReadCut]) -> SimulatedJob:
-        """Return the job that consists of the operations in `read`.
-
-        Raises
-        ------
-        Unusable
-            If no operation can be simulated.
-        """
+        """Return the job that consists of the operations `read`. Raise `Unusable` if no operation can be simulated."""
         read = tuple(read)
         cuts = [one for one in read if one.cut is not None]
         remarks = tuple(remark for one in read for remark in (*one.unread, *one.remarks))

@@ -33,10 +33,8 @@ _observer: _Observer | None = None
 def keep_faults(faults: Mapping[SimulatedOperation, list[tuple[int, Message]]]) -> bool:
     """Replace the stored faults of operations; return whether a stored fault has changed.
 
-    Parameters
-    ----------
-    faults : mapping
-        For each operation the list of its faults, each with the number of its command; empty if there is no fault.
+    Each operation has a list of its faults, each with the number of its command; the list is empty if there is no
+    fault.
     """
     _observe()
     changed = False
@@ -66,24 +64,13 @@ def keep_verdict(job: SimulatedJob, verdict: Verdict) -> bool:
 def verdict_on(job, fingerprints: Iterable[str]) -> JobVerdict | None:
     """Return the verdict on a job from a simulation of this session, or else from its mark; None if neither is valid.
 
-    Parameters
-    ----------
-    job : DocumentObject
-    fingerprints : iterable of str
-        Fingerprints of the job's operations.
+    `fingerprints` are the fingerprints of the job's operations.
     """
     return _verdicts.get(job.Document.Name, {}).get(job.Name) or marks.verdict_of(job, fingerprints)
 
 
 def with_faults(found: _Found, document: str, name: str) -> _Found:
-    """Return the results of an operation, with its fault if toolpath and setting are unchanged since the simulation.
-
-    Parameters
-    ----------
-    found : OperationReport or Record
-    document, name : str
-        Internal names of the document and the operation.
-    """
+    """Return the results of an operation, with its fault if toolpath and setting are unchanged since the simulation."""
     fingerprint, fault = _found.get(document, {}).get(name, ("", None))
     remarks = tuple(remark for remark in found.remarks if remark.code != "simulated")
     if fault is not None and fingerprint == found.fingerprint:

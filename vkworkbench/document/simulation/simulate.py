@@ -123,10 +123,7 @@ def _coarser_image(image: View, stock: Solid) -> Message:
 def coarser(view: View, refused: OverBudget) -> View:
     """Return the finest image of a view that fits into the memory budget.
 
-    Raises
-    ------
-    OverBudget
-        The given error `refused`, if the image's share of the view's width would be less than `MIN_SIZE`.
+    The given error `refused` is raised if the image's share of the view's width would be less than `MIN_SIZE`.
     """
     if refused.size is None or refused.size[0] < MIN_SIZE * view.width:
         raise refused

@@ -40,16 +40,8 @@ def stock_after(triangles: np.ndarray, before: tuple, after: tuple) -> tuple[cor
     """Return the part that one job leaves, as the stock of another job, and a remark if the part cannot be moved.
 
     If both jobs have the same model at different places, as for the two sides of a part, the part is moved like the
-    model.
-
-    Parameters
-    ----------
-    triangles : (t, 3, 3) ndarray
-        Surface of the part that the first job leaves, mm.
-    before : tuple of Shape
-        Shapes of the first job's model.
-    after : tuple of Shape
-        Shapes of the second job's model.
+    model. `triangles` (t, 3, 3) are the surface of the part that the first job leaves, mm; `before` and `after` are the
+    shapes of the first and of the second job's model.
     """
     move = move_between(before, after)
     if move is None:

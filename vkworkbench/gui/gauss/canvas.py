@@ -54,13 +54,7 @@ class GaussCanvas(QWidget):
         self.update()
 
     def save(self, path: str, title: str) -> None:
-        """Save the plots as shown, with a title, in the format of the path's suffix.
-
-        Raises
-        ------
-        OSError
-            If the file cannot be written.
-        """
+        """Save the plots as shown, with a title, in the format of the path's suffix. Raise OSError if this fails."""
         line = 1.6 * QFontMetrics(self.font()).height()
         width, height = self.width(), int(self.height() + line)
         if path.lower().endswith(".svg"):

@@ -137,18 +137,9 @@ class Plot:
 def ticks(
     low: float, high: float, count: int, name: Callable[[float], str], unit: float = 1.0, whole: bool = False
 ) -> list[tuple[float, str]]:
-    """Return round values between `low` and `high`, each with its label.
+    """Return about `count` round values between `low` and `high`, each with the text that `name` returns for it.
 
-    Parameters
-    ----------
-    count : int
-        Approximate number of values.
-    name : callable
-        Returns the text of a value.
-    unit : float
-        Values are round multiples of this unit.
-    whole : bool
-        Whether values must be integer multiples of the unit.
+    The values are round multiples of `unit`; if `whole` is True, integer multiples.
     """
     rough = (high - low) / unit / max(count, 1)
     power = 10.0 ** math.floor(math.log10(rough))

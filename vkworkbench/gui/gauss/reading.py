@@ -34,14 +34,9 @@ class Polyline:
         self._sketch = distinct(points, overlapping(points, -everywhere, everywhere), cells=_CELLS, most=_MAX_SEGMENTS)
 
     def seen(self, lower: np.ndarray, upper: np.ndarray, share: float) -> np.ndarray:
-        """Return the indices of the segments to draw in a visible range, (m,) int64.
+        """Return the indices of the segments to draw in the visible range from `lower` to `upper`, (m,) int64.
 
-        Parameters
-        ----------
-        lower, upper : (2,) float
-            Corners of the visible range.
-        share : float
-            Visible share of the data.
+        `share` is the visible share of the data.
         """
         if share > _CLOSE or len(self._sketch) < _MAX_SEGMENTS // 4:
             return self._sketch
@@ -65,12 +60,8 @@ class Reading:
 def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     """Yield the data of an operation's Gauss map; None if no cutting move has a direction.
 
-    Raises
-    ------
-    Unusable
-        If the operation has too many trajectories.
-    Cancelled
-        Raised by `going_on`, which is called between two steps of the computation.
+    `Unusable` is raised if the operation has too many trajectories. `going_on` is called between two steps of the
+    computation, and raises `Cancelled` to end it.
     """
     commands = source.path.Commands
     going_on()

@@ -61,20 +61,12 @@ class Background(QObject):
         return self._given_up is not None
 
     def start(self, text: str, work: Callable[[Callable], Iterable], show: Callable, ended: Callable) -> None:
-        """Begin a task.
+        """Begin a task, which `text` describes.
 
-        Parameters
-        ----------
-        text : str
-            Description of the task.
-        work : callable
-            Generator function that yields results. The function receives a function that raises `Cancelled` after a
-            cancel. The generator runs in another thread, so it must use neither documents nor the window.
-        show : callable
-            Called in Qt's main thread with each result.
-        ended : callable
-            Called at the end with None, with `Cancelled` if the user cancelled the task, or with the exception that
-            ended the task. The function is not called after `give_up`.
+        The generator function `work` yields results. Its argument is a function that raises `Cancelled` after a cancel.
+        The generator runs in another thread, so it must use neither documents nor the window. In Qt's main thread,
+        `show` is called with each result, and `ended` at the end: with None, with `Cancelled` if the user cancelled the
+        task, or with the exception that ended the task. After `give_up`, `ended` is not called.
         """
         self.give_up()
         given_up, results = threading.Event(), SimpleQueue()
@@ -165,10 +157,7 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
 class Busy(QWidget):
     """A line with the running task and a button to cancel the task, which appears after a delay.
 
-    Parameters
-    ----------
-    background : Background
-        The tasks to show. While no task runs, the line with the running task is hidden.
+    The line is hidden while no task runs.
     """
 
     def __init__(self, background: Background) -> None:

@@ -24,10 +24,7 @@ def opengl_renderer() -> str:
 def note_renderer(*, again: bool = False) -> str:
     """Store the name of the OpenGL renderer in the preferences, where analyses read it, and return the name.
 
-    Parameters
-    ----------
-    again : bool
-        Whether to ask OpenGL even if the preferences already contain a name.
+    If the preferences already contain a name, OpenGL is only asked if `again` is True.
     """
     known = preferences.read().renderer
     if known and not again:

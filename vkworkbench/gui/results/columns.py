@@ -74,12 +74,8 @@ class Column:
 def columns(version: tuple[int, ...], marked: str) -> tuple[list[Column], list[Column]]:
     """Return the default columns, and the further columns that the user can choose.
 
-    Parameters
-    ----------
-    version : tuple of int
-        Version of FreeCAD, which determines the available simulators.
-    marked : str
-        Name of the simulator whose time the marks in the tree show.
+    The version of FreeCAD determines the available simulators. `marked` is the name of the simulator whose time the
+    marks in the tree show.
     """
     simulators = available(version)
     time = translate("Vk_Results", "Time in the {simulator}, as the marks show it.")

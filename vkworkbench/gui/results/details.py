@@ -24,14 +24,9 @@ _APART = {OPERATION, STRATEGY, WARNINGS, NOTES, STATE, LENGTH, REASON}
 
 
 def page(row: Row, first: list, others: list, opened: set[str]) -> str:
-    """Return the details of a row as HTML.
+    """Return the details of a row as HTML, with the default columns (`first`) and the other columns.
 
-    Parameters
-    ----------
-    first, others : list of Column
-        The default columns and the other columns.
-    opened : set of str
-        Targets of the links that the user has opened, such as "Why?".
+    `opened` contains the targets of the links that the user has opened, such as "Why?".
     """
     parts = [_title(row)]
     if row.strategy is not None and not is_switched_off(row.mark):

@@ -13,13 +13,8 @@ _MIN_ROWS = 2  # the column titles are hidden if fewer rows than this are visibl
 class FrozenTree(QTreeView):
     """A tree whose first column stays visible.
 
-    While the tree is scrolled sideways, a second tree on top of it shows the first column.
-
-    Parameters
-    ----------
-    model : QAbstractItemModel
-    copy, enter : callable
-        `copy` is called for Ctrl+C; `enter` is called for the Enter key or a double click.
+    While the tree is scrolled sideways, a second tree on top of it shows the first column. `copy` is called for Ctrl+C,
+    and `enter` for the Enter key or a double click.
     """
 
     def __init__(self, model, copy: Callable[[], None], enter: Callable[[], None]) -> None:

@@ -131,16 +131,9 @@ class ResultsOrder(QSortFilterProxyModel):
         self._text, self._strategy, self._warned = "", None, False
 
     def choose(self, text: str, strategy, warned: bool) -> None:
-        """Show only operations that match all three conditions.
+        """Show only operations whose name, strategy or warnings contain `text`, with this strategy unless it is None.
 
-        Parameters
-        ----------
-        text : str
-            Text that the operation's name, strategy or warnings must contain.
-        strategy : Strategy or None
-            Strategy of the operation; None for any strategy.
-        warned : bool
-            Whether to show only operations that have warnings or are outdated.
+        If `warned` is True, show only operations that have warnings or are outdated.
         """
         self._text, self._strategy, self._warned = text.casefold(), strategy, warned
         self.invalidateFilter()

@@ -80,27 +80,11 @@ def _new_folder(parent: Path, document: str) -> Path:
 
 
 def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bool]) -> int:
-    """Write pictures of the simulation, numbered from 0000, from the raw stock to the finished part.
+    """Write `number` pictures of the simulation, from the raw stock to the finished part; return how many were written.
 
-    At the end the player shows the same moment as before.
-
-    Parameters
-    ----------
-    player : Player
-    number : int
-        Number of pictures.
-    going_on : callable
-        Called before each picture with the number of written pictures; the result False ends the writing.
-
-    Returns
-    -------
-    int
-        Number of written pictures.
-
-    Raises
-    ------
-    OSError
-        If a picture cannot be written.
+    The pictures are numbered from 0000. `going_on` is called before each picture with the number of written pictures;
+    the result False ends the writing. At the end the player shows the same moment as before. An OSError is raised if a
+    picture cannot be written.
     """
     moment = player.moment
     before = moment.seconds, moment.noticed

@@ -56,12 +56,8 @@ class Judgement:
 def judge(findings: Findings, tolerance: float, compares: bool) -> Judgement:
     """Find the faults of a job. This function is slow, and any thread may run it.
 
-    Parameters
-    ----------
-    tolerance : float
-        Allowed difference between the part and the model, mm.
-    compares : bool
-        Whether to find the largest differences from the model, too.
+    `tolerance` is the allowed difference between the part and the model, mm. If `compares` is True, the largest
+    differences from the model are found, too.
     """
     job = findings.facts.job
     collided = [_fault(one, one.what, True) for one in (*job.collisions, *job.crashes)]
@@ -97,13 +93,7 @@ _SERIOUS, _FAST = "#d32f2f", "#e08000"  # colours on the time line: serious faul
 
 
 class KnownFaults:
-    """The faults of a job that the marks in the tree and the results panel show.
-
-    Parameters
-    ----------
-    job : SimulatedJob
-    clock : Clock
-    """
+    """The faults of a job that the marks in the tree and the results panel show."""
 
     def __init__(self, job: SimulatedJob, clock: Clock) -> None:
         self.job, self.clock = job, clock

@@ -12,22 +12,11 @@ _DIGITS = 4  # number of digits of a shown length
 
 
 class Measuring:
-    """The points that the user measures.
-
-    Parameters
-    ----------
-    top : float
-        Height of the top of the stock, mm.
-
-    Attributes
-    ----------
-    points : tuple of (3,) ndarray
-        The measured points, at most two, mm.
-    """
+    """The points that the user measures; `top` is the height of the top of the stock, mm."""
 
     def __init__(self, top: float) -> None:
         self._top = top
-        self.points: tuple[np.ndarray, ...] = ()
+        self.points: tuple[np.ndarray, ...] = ()  # the measured points (3,), at most two, mm
 
     def add(self, point: np.ndarray) -> None:
         """Add a point to the measurement. A third point starts a new measurement."""

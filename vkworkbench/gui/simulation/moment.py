@@ -20,19 +20,6 @@ class Clock:
     """The times at which the trajectories of a job begin and end.
 
     A move with an unknown speed gets the median of the known speeds.
-
-    Parameters
-    ----------
-    job : SimulatedJob
-
-    Attributes
-    ----------
-    cuts : Cuts
-        The cuts (toolpath and tool of each operation) of the job.
-    ends : (n + 1,) float64
-        ``ends[k]`` is the time after k trajectories, s.
-    complete : bool
-        Whether all speeds are known.
     """
 
     def __init__(self, job: SimulatedJob) -> None:
@@ -45,8 +32,8 @@ class Clock:
                 speeds = (lengths / seconds)[~unknown]
             speed = float(np.median(speeds)) if len(speeds) else _USUAL_SPEED
             seconds[unknown] = lengths[unknown] / speed
-        self.ends = np.append(0.0, np.cumsum(seconds))
-        self.complete = not unknown.any()
+        self.ends = np.append(0.0, np.cumsum(seconds))  # ends[k] is the time after k trajectories, s
+        self.complete = not unknown.any()  # whether all speeds are known
 
     @property
     def total(self) -> float:
@@ -54,12 +41,9 @@ class Clock:
         return float(self.ends[-1])
 
     def rates(self, volumes: np.ndarray) -> np.ndarray:
-        """Return the removal rate of each trajectory, mm^3/min; 0 for a trajectory that takes no time.
+        """Return the removal rate of each trajectory, (n,) mm^3/min, from its removed volume, mm^3.
 
-        Parameters
-        ----------
-        volumes : (n,) float64
-            Removed volume of each trajectory, mm^3.
+        The rate is 0 for a trajectory that takes no time.
         """
         seconds = np.diff(self.ends)
         return 60 * volumes / np.where(seconds > 0, seconds, np.inf)
@@ -79,28 +63,15 @@ class Clock:
 
 
 class Moment(QObject):
-    """The shown moment in the machining time of a job.
+    """The shown moment in the machining time of a job."""
 
-    Parameters
-    ----------
-    clock : Clock
-
-    Attributes
-    ----------
-    changed : Signal
-        The moment has changed, or the playback has begun or ended.
-    seconds, done : float, int
-        The machining time until the moment, s, and the number of trajectories that are finished at the moment.
-    noticed : int or None
-        The trajectory to highlight: the trajectory that the user chose, or the last finished trajectory.
-    """
-
-    changed = Signal()
+    changed = Signal()  # the moment has changed, or the playback has begun or ended
 
     def __init__(self, clock: Clock, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.clock = clock
         self.seconds, self.done = clock.total, len(clock.cuts)  # a new simulation shows the finished part
+        # The trajectory to highlight: the trajectory that the user chose, or the last finished trajectory.
         self.noticed: int | None = None
         self._played: float | None = None  # computer's time of the last picture, s; None while the playback is paused
 

@@ -87,21 +87,12 @@ class Surface(NamedTuple):
 
 
 class PartView(QWidget):
-    """A widget that shows images of a simulation.
+    """A widget that shows images of a simulation."""
 
-    Attributes
-    ----------
-    changed, resized : Signal
-        The view has changed (turned, panned, zoomed, or the widget's size has changed); the widget's size has changed.
-    asked : Signal of Surface
-        The user clicked on a surface.
-    restyled : Signal
-        The theme has changed, and with it the background.
-    """
-
-    changed, resized = Signal(), Signal()
-    asked = Signal(object)
-    restyled = Signal()
+    changed = Signal()  # the view was turned, panned or zoomed, or the widget's size has changed
+    resized = Signal()
+    asked = Signal(object)  # the user clicked on a surface, the argument (`Surface`)
+    restyled = Signal()  # the theme has changed, and with it the background
 
     def __init__(self, stock: Stock, direction: tuple[float, float, float], parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -26,31 +26,13 @@ PATH_DONE, PATH_TO_COME = (20, 90, 200), (200, 60, 160)
 
 
 class Drawing:
-    """The results of a job's simulation from which its pictures are drawn.
-
-    Parameters
-    ----------
-    job : SimulatedJob
-    clock : Clock
-    bar : SceneBar
-        The controls in which the user chooses what is shown.
-
-    Attributes
-    ----------
-    simulated : Simulated or None
-        The finest simulation until now.
-    findings : Findings or None
-        The check of the job; None until the check is finished.
-    detail : Simulation or None
-        A finer simulation of the part of the stock to which the user has zoomed.
-    strategies : tuple of Strategy
-        The strategy of each operation.
-    """
+    """The results of a job's simulation from which its pictures are drawn, as chosen in the controls `bar`."""
 
     def __init__(self, job: SimulatedJob, clock: Clock, bar: SceneBar) -> None:
         self.job, self.clock, self.bar = job, clock, bar
-        self.simulated: Simulated | None = None
-        self.findings: Findings | None = None
+        self.simulated: Simulated | None = None  # the finest simulation until now
+        self.findings: Findings | None = None  # the check of the job; None until the check is finished
+        # A finer simulation of the part of the stock to which the user has zoomed.
         self.detail: Simulation | None = None
         self.strategies = (Strategy.UNKNOWN,) * len(job.operations)
         self._coloring: Callable[[], Coloring] = _uncolored
@@ -200,22 +182,9 @@ _LOOK = 3  # ms between two checks whether the background thread has drawn a pic
 
 
 class Pictures(QObject):
-    """Shows the picture of the shown moment, draws it again after each change, and smoothly after a pause.
+    """Shows the picture of the shown moment, draws it again after each change, and smoothly after a pause."""
 
-    Parameters
-    ----------
-    drawing : Drawing
-    moment : Moment
-    view : PartView
-
-    Attributes
-    ----------
-    begun : Signal
-        Drawing of a picture has begun.
-    failed : Signal of Exception
-    """
-
-    begun, failed = Signal(), Signal(object)
+    begun, failed = Signal(), Signal(object)  # drawing of a picture has begun, or has failed with an exception
 
     def __init__(self, drawing: Drawing, moment: Moment, view: PartView, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -35,26 +35,9 @@ _TICK = 20  # ms between two updates
 
 
 class Player(QWidget):
-    """Simulates a job and shows any moment of it.
+    """Simulates a job and shows any moment of it; at the beginning, the scene `first` from reading the job."""
 
-    Parameters
-    ----------
-    job : SimulatedJob
-    first : Scene and Frame, optional
-        The scene that was shown while the job was read.
-
-    Attributes
-    ----------
-    moment : Moment
-        The shown moment.
-    known : KnownFaults
-        The faults that the marks in the tree and the results panel show.
-    faults : list of Fault
-        The faults at the tolerance that the user has chosen.
-    asked : Signal
-        The user clicked on the part or chose a fault, and the operation that cut there is selected in the tree.
-    """
-
+    # The user clicked on the part or chose a fault, and the operation that cut there is selected in the tree.
     asked = Signal()
 
     def __init__(
@@ -62,7 +45,7 @@ class Player(QWidget):
     ) -> None:
         super().__init__(parent)
         self.job, self.clock = job, Clock(job)
-        self.faults: list[Fault] = []
+        self.faults: list[Fault] = []  # the faults at the tolerance that the user has chosen
         self.moment = Moment(self.clock, self)
         self.view = PartView(job.stock, preferences.DIRECTIONS["Isometric"])
         if first is not None:

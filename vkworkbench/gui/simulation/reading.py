@@ -26,32 +26,16 @@ _PAUSE = 3.0  # time between two previews, as a multiple of the time that a prev
 
 
 class Reading(QWidget):
-    """Reads a job, and shows the part as machined by the operations read so far.
+    """Reads a job, and shows the part as machined by the operations read so far."""
 
-    Parameters
-    ----------
-    copy : JobCopy
-        The job to read.
-
-    Attributes
-    ----------
-    view : PartView or None
-        The widget with the preview; None before the first preview.
-    seen : Scene and Frame, or None
-        The shown preview.
-    read : Signal of SimulatedJob
-        The whole job was read.
-    failed : Signal of Exception
-        Reading ended with `Cancelled`, `Unusable` or an error.
-    """
-
-    read, failed = Signal(object), Signal(object)
+    read = Signal(object)  # the whole job was read; the argument is a `SimulatedJob`
+    failed = Signal(object)  # reading ended with `Cancelled`, `Unusable` or an error
 
     def __init__(self, copy: JobCopy, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.copy = copy
-        self.view: PartView | None = None
-        self.seen: tuple[Scene, Frame] | None = None
+        self.view: PartView | None = None  # the widget with the preview; None before the first preview
+        self.seen: tuple[Scene, Frame] | None = None  # the shown preview
         self._budget = preferences.read().memory_budget_bytes
         self._cuts: list[ReadCut] = []
         self._steps = copy.copying()

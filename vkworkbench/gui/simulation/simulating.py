@@ -117,10 +117,7 @@ class Simulating:
     def __call__(self, going_on: Callable[[], None]) -> Iterator[Simulated | Findings]:
         """Yield the coarse simulation, the finest simulation, and the findings of the check.
 
-        Raises
-        ------
-        Unusable
-            After all results, if the time budget allowed only a coarser image than requested.
+        `Unusable` is raised after all results if the time budget allowed only a coarser image than requested.
         """
         yield self._simulate(self._view(_COARSE * self._rays), False, going_on)
         view = finest = self._view(self._rays)
@@ -210,14 +207,9 @@ def region_of(frame: Frame) -> Region:
 
 
 def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
-    """Return a view from above of the part of the stock that an image shows; None if it would not be finer.
+    """Return a view from above of the part of the stock that the image `frame` shows; None if it would not be finer.
 
-    Parameters
-    ----------
-    frame : Frame
-        Frame of the image.
-    pixel : float
-        Size of the pixels of the shown simulation, mm.
+    `pixel` is the size of the pixels of the shown simulation, mm.
     """
     seen = seen_region(frame, job)
     if seen is None:

@@ -29,28 +29,14 @@ _ENDED = 1000  # ms after which the threads of a closed tab have usually ended
 
 
 class SimulationTab(KeyedWidget):
-    """Reads a job, and then shows its simulation.
+    """Reads a job, and then shows its simulation."""
 
-    Parameters
-    ----------
-    copy : JobCopy
-        The job to read.
-
-    Attributes
-    ----------
-    reading : Reading
-    player : Player or None
-        None while the job is being read.
-    outdated : Signal
-        A new tab is needed: the user asked for a new simulation of the changed document, or changed the language.
-    """
-
-    outdated = Signal()
+    outdated = Signal()  # the document has changed, and the user asked for a new simulation
 
     def __init__(self, copy: JobCopy, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.copy = copy
-        self.player: Player | None = None
+        self.player: Player | None = None  # None while the job is being read
         self._open = True
         self.again = QPushButton(translate("Vk_Simulate", "The simulated job has changed. Simulate it again."))
         self.again.clicked.connect(lambda *_: self.outdated.emit())

@@ -68,17 +68,10 @@ class Warned:
 
 
 class TimeLine(KeyedWidget):
-    """Shows a job, or a part of it, over its machining time. The user chooses a moment with the mouse or with keys.
+    """Shows a job, or a part of it, over its machining time. The user chooses a moment with the mouse or with keys."""
 
-    Attributes
-    ----------
-    moved : Signal of float
-        The user dragged to a moment, or chose it with a key, s.
-    clicked : Signal of float
-        The user clicked on a moment without dragging, s.
-    """
-
-    moved, clicked = Signal(float), Signal(float)
+    moved = Signal(float)  # the user dragged to a moment, or chose it with a key, s
+    clicked = Signal(float)  # the user clicked on a moment without dragging, s
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -109,15 +102,8 @@ class TimeLine(KeyedWidget):
     def show_facts(self, ends: np.ndarray, volumes: np.ndarray, air: np.ndarray, warned: tuple[Warned, ...]) -> None:
         """Show the removal rate, the air cuts and the warnings.
 
-        Parameters
-        ----------
-        ends : (n + 1,) float64
-            ``ends[k]`` is the time after k trajectories, s.
-        volumes : (n,) float64
-            Removed volume of each trajectory, mm^3.
-        air : (n,) bool
-            Whether each trajectory cuts air only.
-        warned : tuple of Warned
+        ``ends[k]`` is the time after k trajectories, s. `volumes` (n,) are the removed volumes of the trajectories,
+        mm^3, and `air` (n,) is True for trajectories that cut air only.
         """
         self._ends, self._volumes, self._air = ends, volumes, air
         self._warned, self._curve = warned, None

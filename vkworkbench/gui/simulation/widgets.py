@@ -72,10 +72,7 @@ _LINES = {
 class SymbolButton(QToolButton):
     """A button with a symbol in the text colour of the theme. The icons of Qt's styles suit only light themes.
 
-    Attributes
-    ----------
-    symbol : int or str
-        Kind of step (1, 2, 3; negative for a step back), `PLAY` or `PAUSE`.
+    The symbol is a kind of step (1, 2, 3; negative for a step back), `PLAY` or `PAUSE`.
     """
 
     def __init__(self, symbol: int | str, parent: QWidget | None = None) -> None:
@@ -115,11 +112,8 @@ _MAX_NAMES = 12
 class Legend(QWidget):
     """Colours with their names, in as many lines as needed. Long names are shortened; the tooltip shows them in full.
 
-    Attributes
-    ----------
-    entries : tuple of (str, str)
-        Colours and their names. Consecutive colours without a name belong to a scale and are drawn without gaps in one
-        line, with the next colour that has a name.
+    Consecutive colours without a name belong to a scale and are drawn without gaps in one line, with the next colour
+    that has a name.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -39,12 +39,8 @@ class Drawing:
 def drawings(source: Source, going_on: Callable) -> Iterator[Drawing]:
     """Yield the drawing of an operation; for a long toolpath a sketch first.
 
-    Raises
-    ------
-    Unusable
-        If the operation has too many trajectories.
-    Cancelled
-        Raised by `going_on`, which is called between two steps of the computation.
+    `Unusable` is raised if the operation has too many trajectories. `going_on` is called between two steps of the
+    computation, and raises `Cancelled` to end it.
     """
     commands = source.path.Commands
     going_on()
@@ -118,14 +114,7 @@ def _listed(array: np.ndarray, going_on: Callable) -> list:
 
 
 class Lines:
-    """The nodes of one operation's coloured lines.
-
-    Attributes
-    ----------
-    root : coin.SoSeparator
-    strategies : frozenset of Strategy
-        The strategies in the drawing.
-    """
+    """The nodes of one operation's coloured lines."""
 
     def __init__(self, drawing: Drawing) -> None:
         self.strategies = drawing.strategies

@@ -190,11 +190,7 @@ _drawer: _Drawer | None = None
 def show(document, cancelled: Callable) -> None:
     """Colour the toolpaths of a document, and keep the colours up to date.
 
-    Parameters
-    ----------
-    document : Document
-    cancelled : callable
-        Called after the user cancelled the drawing, which removes all colours.
+    `cancelled` is called after the user cancelled the drawing, which removes all colours.
     """
     global _drawer
     if _drawer is None:

@@ -93,13 +93,8 @@ class Layout:
 def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_remark: int | None) -> list[Layout]:
     """Return the layouts of a mark, from the most detailed to the shortest.
 
-    Parameters
-    ----------
-    words : str
-        The user's own description, shown to the right of the mark.
-    metrics : QFontMetrics
-    most_of_remark : int or None
-        Maximum number of characters of the remarks; None for no limit.
+    The user's own description (`words`) is shown to the right of the mark. Remarks are shortened to `most_of_remark`
+    characters; None stands for no limit.
     """
     name = pill_text(record)
     is_error = _is_error(record)
