@@ -289,10 +289,49 @@ def test_g11_after_the_data_of_a_fanuc_program_has_no_remark():
     assert said("O1\n" + PLAIN + "G11") == []
 
 
-def test_call_of_a_heidenhain_label_has_one_remark():
-    program = read_program("%A G71\nN10 G00 G90 X+0 Y+0 Z+5\nN20 G01 X+10 F100\nN30 L1,3*\nN40 X+20\nN99 %A G71")
-    assert [(problem.what.code, problem.command) for problem in program.problems] == [("subprogram-not-read", 4)]
-    assert program.toolpath().points[-1].tolist() == [20, 0, 5]
+def heidenhain(text):
+    """Return the end points of lines and of whole arcs, X, Y and Z, the sum of the sweeps in turns, and the remarks."""
+    program = read_program(f"%A G71\nG00 G90 X+10 Y+0 Z+5 *\nG01 F100 *\n{text}\nN9 %A G71")
+    path = program.toolpath()
+    keep = np.append(np.diff(path.sweep) != 0, True) | (path.sweep == 0)
+    ends = (path.points[1:][keep].round(6) + 0.0).tolist()
+    return ends, round(path.sweep.sum() / 2 / np.pi, 6), [problem.what.code for problem in path.problems]
+
+
+def test_polar_coordinates_of_heidenhain_are_read():
+    assert heidenhain("I+0 J+0 *\nG11 H+90 *\nG11 R+20 H+0 *") == ([[0, 10, 5], [20, 0, 5]], 0, [])
+    assert heidenhain("G11 I+10 J+10 G91 R-5 H+180 *\nX+1 *") == ([[10, 15, 5], [11, 15, 5]], 0, [])
+    assert heidenhain("I+0 J+0 *\nG13 H+90 *\nG12 H+0 Z+1 *\nG10 Z+9 H+0 *") == (
+        [[0, 10, 5], [10, 0, 1], [10, 0, 9]],
+        0,
+        [],
+    )
+    assert heidenhain("I+0 J+0 *\nG13 G91 H+1080 Z-6 *\nG13 H+450 *") == ([[10, 0, -1], [0, 10, -1]], 3 + 1.25, [])
+
+
+def test_datum_shift_of_heidenhain_moves_coordinates_and_poles():
+    text = "G54 X+100 *\nX+0 *\nI+5 J+0 *\nG02 X+10 *\nG11 R+1 H+90 *\nG54 G91 X+1 *\nG90 X+0 Y+0 *\nG54 X+0 *\nX+0 *"
+    assert heidenhain(text) == ([[100, 0, 5], [110, 0, 5], [105, 1, 5], [101, 0, 5], [0, 0, 5]], -0.5, [])
+
+
+def test_corners_of_heidenhain_are_read():
+    assert heidenhain("X+20 *\nN5 G25 R2 *\nY+9 *\nG24 R+1 *\nX+0 *") == (
+        [[18, 0, 5], [20, 2, 5], [20, 8, 5], [19, 9, 5], [0, 9, 5]], 0.25, [],
+    )  # fmt: skip
+    assert heidenhain("X+20 *\nG25 R99 *\nY+9 *")[2] == ["word-not-read"]
+
+
+def test_labels_of_heidenhain_are_called():
+    repeated = "G98 L1 *\nG91 X+10 *\nN5 L1,2 *\nG90 Y+1 *"
+    assert heidenhain(repeated) == ([[20, 0, 5], [30, 0, 5], [40, 0, 5], [40, 1, 5]], 0, [])
+    called = "L7 *\nN3 L7,0 *\nZ+9 M2 *\nN6 G98 L7 *\nG91 X+1 M99 *\nG90 Y+2 *\nG98 L0 *"
+    assert heidenhain(called) == ([[11, 0, 5], [11, 2, 5], [12, 2, 5], [12, 2, 9]], 0, [])
+
+
+@pytest.mark.parametrize("call", ["L1,3", "L1", "G98 L1 *\nX+10 *\nL1", "G98 L1 *\nL1 *\nG98 L0"])
+def test_label_of_heidenhain_that_cannot_be_called_has_a_remark(call):
+    ends, _, remarks = heidenhain(f"X+20 *\n{call} *\nX+30 *")
+    assert ends[-1] == [30, 0, 5] and remarks == ["subprogram-not-read"]
 
 
 def test_e_word_after_a_coordinate_is_not_an_exponent():

@@ -36,8 +36,9 @@ _BLOCK_DELETE = re.compile(r"^(N\s*\d+\s*)?(?:/\d?\s*)+")
 _SAYS = re.compile(r"\?|\$[$#GINXC]?|(?:N\s*\d+\s*)?MSG|(?:N\s*\d+\s*)?(?:POPEN|PCLOS|[BD]PRNT\s*\[.*)")
 _RETURN = re.compile(r"M\s*(?:99|17)(?!\d)")  # M17 is Siemens' return from a subprogram
 _CALL_IN_COMMENT = re.compile(r"(?:RPT\s*N|P?CALL|GOTO\s*N)\s*\d", re.IGNORECASE)  # Fagor's repeats and calls
-# Heidenhain's call of a label: L1,3 runs label 1 three times.
-_LABEL_CALL = re.compile(r"(?:N\s*\d+\s*)?L\s*\d+\s*,\s*\d+")
+# Heidenhain's call of a label: L1,3 repeats the lines from label 1 to the call three times, L1 and L1,0 run a subprogram.
+_LABEL_CALL = re.compile(r"(?:N\s*\d+\s*)?L\s*(\d+)(?:\s*,\s*(\d+))?")
+_CORNER = re.compile(r"\s*(?:N\s*\d+\s*)?G\s*2([45])\s*R\s*\+?\s*([\d.]+)")  # Heidenhain's G24 (chamfer), G25
 _DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")  # A decimal comma, as in X10,5.
 # Siemens' radius of an arc, CR=10, and Siemens' spelling of a word with an equals sign, X=10.
 _EQUALS = re.compile(r"(?<![A-Z])(?:CR|([A-Z]))\s*=\s*(?=[-+]?\.?\d)")
@@ -218,6 +219,8 @@ class _Reader:
             Whether the line ends the program, or the current subprogram.
         """
         self.blocks += 1
+        if self.machine.dialect is dialects.HEIDENHAIN:
+            code = self._without_labels(index, code)
         words, rest = split_words(code)
         if rest:
             # A variable for the tool's diameter is read as a comment on the tool.
@@ -243,7 +246,9 @@ class _Reader:
         if "P" in letters and _MACRO_CALL in words and self._call_macro(words):
             return self._ended
         ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
-        if self.calls and not self.deleted:  # M99 with a P word also returns to the caller
+        if (
+            self.calls and self.machine.dialect.calls and not self.deleted
+        ):  # M99 with a P word also returns to the caller
             ended |= _RETURN.search(code) is not None
         if self.machine.call is not None:
             self._call(self.machine.call, dict(words), index)
@@ -269,6 +274,22 @@ class _Reader:
             return
         first, times = found
         self._run_call(Call(first, self.subprograms.end(first), times))
+
+    def _without_labels(self, index: int, code: str) -> str:
+        """Return a line of a Heidenhain program with the corner in the next line as a corner word (,R or ,C).
+
+        If the line calls a label, run the lines after the label, and return an empty text.
+        """
+        if found := _LABEL_CALL.fullmatch(code):
+            call = self.subprograms.label(int(found[1]), index, int(found[2] or 0))
+            if call is None or call.first in self.calls:
+                self._problem(Message("subprogram-not-read"))
+            else:
+                self.machine.calls_blocks = True
+                self._run_call(call)
+            return ""
+        corner = _CORNER.match(self.lines[index + 1].upper()) if index + 1 < len(self.lines) else None
+        return f"{code} ,{'R' if corner[1] == '5' else 'C'}{corner[2]}" if corner else code
 
     def _call_macro(self, words: list[tuple[str, float]]) -> bool:
         """Run a macro with the arguments in a line with G65; return whether the macro is in the same text."""
@@ -331,9 +352,6 @@ class _Reader:
         dialects.refuse(line, code, self.number)
         if _FLOW.search(code):
             self._problem(Message("jumps-not-followed"))
-            return None
-        if self.machine.dialect is dialects.HEIDENHAIN and _LABEL_CALL.fullmatch(code):
-            self._problem(Message("subprogram-not-read"))
             return None
         code = self._common_spelling(code)
         words, rest = split_words(code)

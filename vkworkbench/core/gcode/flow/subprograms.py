@@ -14,8 +14,10 @@ from functools import cached_property
 
 from vkworkbench.core.gcode.blocks import LARGEST_NUMBER, Lines, split_comments, split_words, whole
 from vkworkbench.core.gcode.flow.lines import bare
+from vkworkbench.core.gcode.flow.step import Call
 
 PROGRAM_NUMBER = re.compile(r"[O:]\s*(\d{1,8})\b(?!\s*[A-Z]{2})")
+_LABEL = re.compile(r"\s*(?:N\s*\d+\s*)?G\s*98\s*L\s*(\d{1,8})", re.IGNORECASE)  # a label of a Heidenhain program
 _BLOCK = re.compile(r"\s*(?:/\d?\s*)?N\s*(\d{1,8})(?![\d.])", re.IGNORECASE)
 # Codes that call the program whose number is the P word.
 _CALLS = frozenset([("M", 98.0), ("M", 198.0), ("G", 65.0), ("G", 66.0)])
@@ -125,6 +127,18 @@ class Subprograms:
         after = bisect_right(found, index)
         return found[after % len(found)] if found else None
 
+    def label(self, number: int, index: int, repeats: int) -> Call | None:
+        """Return the call of a Heidenhain program's label in the line `index`; None if the label cannot be called.
+
+        The line with label 0 ends a subprogram. The lines between a label and its call are repeated if `repeats` is not
+        0.
+        """
+        first = next((at for at, own in self._labels if own == number != 0), None)
+        end = index if repeats else next((at for at, own in self._labels if own == 0 and at > (first or 0)), None)
+        if first is None or end is None or end < first or first <= index < end:
+            return None
+        return Call(first + 1, end, max(repeats, 1))
+
     def end(self, first: int) -> int:
         """Return the index of the line in which the next program begins, or the number of lines if no program follows.
 
@@ -141,6 +155,12 @@ class Subprograms:
     def _first_block(self, head: int, number: float) -> int | None:
         found = self._blocks.get((head, whole(number, LARGEST_NUMBER)))
         return found[0] if found else None
+
+    @cached_property
+    def _labels(self) -> list[tuple[int, int]]:
+        """The lines with labels of a Heidenhain program (G98 L1): index of the line, and number of the label."""
+        labels = ((index, _LABEL.match(line)) for index, line in enumerate(self._lines))
+        return [(index, int(label[1])) for index, label in labels if label]
 
     @cached_property
     def _blocks(self) -> dict[tuple[int, int], list[int]]:

@@ -13,6 +13,7 @@ from vkworkbench.core.gcode.dialects import HEIDENHAIN
 from vkworkbench.core.gcode.interpreter import (
     compensation,
     cycles,
+    heidenhain,
     m_codes,
     mapping,
     offsets,
@@ -71,7 +72,8 @@ class Interpreter(Machine):
         """
         self.number, self.deleted, self.call = number, deleted, None
         if self.dialect.modes_in_line:
-            words = self._in_one_distance_mode(words)
+            words = heidenhain.cartesian(self, self._in_one_distance_mode(words))
+            letters = {letter for letter, _ in words}
         line = Line(words, letters, {})
         returns = self._take_words(line)
         if "S" in letters and self.modes.per_turn is not None:  # under G95, a new spindle speed changes the feed rate
@@ -183,7 +185,9 @@ class Interpreter(Machine):
         if code in codes.MOTIONS and line.motion not in (None, code) and self._knows(code):
             self.problem(Message("two-motions"))
         line.codes.append(code)
-        if not self._knows(code):
+        if self.dialect is HEIDENHAIN and code in heidenhain.HANDLERS:
+            heidenhain.HANDLERS[code](self, line)
+        elif not self._knows(code):
             if code not in self.dialect.data:
                 self.unknown(code, line)
             line.apart, line.feeds = True, False

@@ -91,7 +91,7 @@ def _cartesian(machine: Machine, parameters: dict[str, float]) -> dict[str, floa
 
 def _shifted(machine: Machine, mode: int, move: dict[str, float]) -> dict[str, float]:
     """Return the words of a move, with the origin in force added to the coordinates."""
-    centres = machine.modes.absolute_centres and mode in codes.ARCS
+    centres = machine.dialect.has_pole or (machine.modes.absolute_centres and mode in codes.ARCS)
     if machine.modes.relative:
         along = {"I": "X", "J": "Y", "K": "Z"} if centres else {}
     else:
