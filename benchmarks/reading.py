@@ -129,7 +129,7 @@ def bores(count):
 
 
 def waterline(count):
-    """Return the commands of wavy contours at many heights. Lower contours are wider."""
+    """Return the commands of wavy contours at many heights. The lower a contour is, the wider it is."""
     words, points = [("G0", {"Z": 30.0})], 180
     levels = max(1, (count - 1) // (points + 3))
     for level in range(levels):
@@ -160,7 +160,7 @@ class Operation:
 
 
 KINDS = (scan, zigzag, offsets, adaptive, bores, waterline, holes)
-FEW = {bores: 0.1, holes: 0.1}  # these operations have fewer commands by this factor, because bores and holes are short
+FEW = {bores: 0.1, holes: 0.1}  # factors for the number of commands of operations with bores and holes, which are short
 
 
 def job():

@@ -5,10 +5,10 @@
     xvfb-run -a freecad $PWD/benchmarks/simulators.py        # fast-forward and play, in their own windows
 
 The script simulates the operations of the example job, and up to 60 operations of each file in the environment variable
-VKWORKBENCH_CORPUS. The names of these files are separated by colons. The files have JSON lines (id, label,
-tool_diameter, stock, commands) and may be gzipped. Errors are ratios of the larger to the smaller of prediction and
-measurement. Times are valid only on an idle computer. Runs from which the host of a virtual machine took time are left
-out. The time of a simulation is the time of its median run, because the shortest run would favour short
+VKWORKBENCH_CORPUS. In the variable, the names of the files are separated by colons. The files have JSON lines (id,
+label, tool_diameter, stock, commands) and may be gzipped. Errors are ratios of the larger to the smaller of prediction
+and measurement. Times are valid only on an idle computer. Runs from which the host of a virtual machine took time are
+left out. The time of a simulation is the time of its median run, because the shortest run would favour short
 simulations, which fit into the fast moments of a shared processor.
 """
 

@@ -132,7 +132,7 @@ def answer(path, diameter) -> tuple:
     """Return the strategy, and all other results of a recognition."""
     try:
         found = sys.modules["vkworkbench.core.recognition.programs.recognize"].recognize(path, tool_diameter=diameter)
-    except Exception as error:  # at the end of its range, a threshold may cause an error
+    except Exception as error:  # at the end of its range, a threshold may cause an error in the recognition
         return f"error: {error!r}", ()
     return str(found.strategy), tuple(repr(getattr(found, f.name)) for f in fields(found) if f.name != "paper")
 

@@ -31,7 +31,7 @@ def keep_tool_shapes():
     """Read each tool shape once. FreeCAD 1.1 would open the shape's file for each tool of each opened document."""
     try:
         from Path.Tool.shape import ToolBitShape
-    except ImportError:  # FreeCAD 0.20 and 1.0 have no such module
+    except ImportError:  # FreeCAD 0.20 and 1.0 have no module Path.Tool.shape
         return
     read, kept = ToolBitShape.from_bytes, {}
 

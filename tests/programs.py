@@ -37,7 +37,7 @@ def outline(sides=4, radius=30.0, z=0.0, start=0, waves=0.0, longer=0.0):
     """
     points = []
     for i in range(sides):
-        angle = 2 * math.pi * (i + 0.1) / sides  # with 0.1, no corner of the polygon is on an axis
+        angle = 2 * math.pi * (i + 0.1) / sides  # with an offset of 0.1 sides, no corner of the polygon is on an axis
         r = radius * (1 + waves * math.cos(3 * angle))
         points.append((r * math.cos(angle), r * math.sin(angle), z))
     if longer:

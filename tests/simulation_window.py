@@ -110,7 +110,7 @@ class Desk:
         if not self._is_active:
             self.window.activate("VkWorkbench")
             self._is_active = True
-        self.window.idle(0.02)  # until FreeCAD's tree shows the objects of the document
+        self.window.idle(0.02)  # waits until FreeCAD's tree shows the objects of the document
         self.window.tree.expandAll()
         Gui.Selection.clearSelection()
         return self.document

@@ -186,7 +186,7 @@ TIP_DIAMETER = Property("TipDiameter", fingerprint="setting")  # Flat end of a V
 CUTTING_EDGE_HEIGHT = Property("CuttingEdgeHeight", fingerprint="setting")  # A V-bit's edge above its cone.
 TOOL_LENGTH = Property("Length", fingerprint="setting")
 SHANK_DIAMETER = Property("ShankDiameter", fingerprint="setting")
-# FreeCAD's tool bits have no holder. Users may add these properties for the holder to a tool bit.
+# FreeCAD's tool bits have no holder. Users may add properties for the diameter and length of a holder to a tool bit.
 HOLDER_DIAMETER = Property("HolderDiameter", fingerprint="setting")
 HOLDER_LENGTH = Property("HolderLength", fingerprint="setting")
 

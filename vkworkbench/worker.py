@@ -99,7 +99,7 @@ class Worker:
 
     def kill(self) -> None:
         """Kill the worker process. A waiting `__call__` then raises `WorkerDied`. Any thread may call this method."""
-        with suppress(ProcessLookupError):  # Python before 3.9 raises this error if the process has just ended
+        with suppress(ProcessLookupError):  # Python before 3.9 raises this error if the worker process has just ended
             self._process.kill()
 
     def end(self) -> None:
@@ -145,7 +145,7 @@ def serve() -> None:
 
     with suppress(BrokenPipeError):
         say(_versions())
-        most_memory, work = received.get()  # also imports the modules of `work`, whose memory is not limited
+        most_memory, work = received.get()  # receiving `work` imports its modules, before their memory is limited
         _limit_memory(most_memory)
         while True:
             say(work(received.get()))

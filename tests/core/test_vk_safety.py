@@ -94,7 +94,7 @@ def test_cells_that_begin_like_a_formula_become_text(text, tmp_path):
         (row,) = csv.DictReader(file)
     for cell in (row["label"], row["cautions"], row["machining_notes"]):
         assert cell == ("'" + text if text in FORMULAS else text)
-    assert float(row["length"]) == -1.5  # A negative number gets no apostrophe.
+    assert float(row["length"]) == -1.5  # A number gets no apostrophe, even if it is negative.
 
 
 @pytest.mark.sources

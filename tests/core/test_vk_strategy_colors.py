@@ -27,7 +27,7 @@ LEAST = {
     "everybody": 20.0,
     "deuteranope, Vienot": 10.0,
     "deuteranope, Machado": 10.0,
-}  # These are the minimum differences of colours in CIELAB (CIE 1976).
+}  # minimum differences of the strategies' colours in CIELAB (CIE 1976)
 
 
 def linear(color):

@@ -47,7 +47,9 @@ def test_part_of_a_toolpath_keeps_inner_tool_changes():
     assert len(part) == 3 and part.lengths == pytest.approx([12, 5, 10])
     for name in ("rapid", "command", "feed", "sweep", "plane", "cycle"):
         assert getattr(part, name).tolist() == getattr(path, name)[1:].tolist(), name
-    assert part.tool_changes.tolist() == [2]  # The tool change before the first move of the part is not in the part.
+    assert part.tool_changes.tolist() == [
+        2
+    ]  # a change of tools before the part's first move does not belong to the part
     assert [at for at, _ in part.comments] == [1, 2]
     assert part.commands == path.commands == len(COMMANDS) and path.problems and part.problems == ()
     middle = path.part(1, 3)

@@ -160,7 +160,7 @@ def test_worker_ends_during_its_work_if_its_input_ends():
 
 @pytest.mark.skipif(os.name != "posix", reason="a shell's script stands for the other Python")
 def test_worker_uses_the_numpy_of_its_parent(monkeypatch, tmp_path):
-    """A FreeCAD with its own numpy may start a Python interpreter that does not find this numpy."""
+    """The Python interpreter that FreeCAD starts for a worker may not find FreeCAD's own numpy."""
     bare = tmp_path / "python"
     bare.write_text(f'#!/bin/sh\nexec "{sys.executable}" -S "$@"\n')
     bare.chmod(0o755)

@@ -76,7 +76,7 @@ def test_all_fingerprinted_properties_are_watched(example):
             spied = read_setting_fingerprints(obj, job)
             assert spied == read_setting_fingerprints(operation.object, operation.job)
     assert {"ToolController", "Tool", "Diameter", "Stock", "Shape"} <= read
-    # These properties need not be watched: Base changes together with Group, and Label is used in messages only.
+    # Two properties need not be watched: Base changes together with Group, and Label is used in messages only.
     untold = {"Base", "Label"}
     assert read - untold <= freecad.names_in_fingerprint("setting")
 

@@ -60,7 +60,7 @@ def test_young_garbage_is_collected_above_the_threshold(collector):
     ring = gone()
     gc.set_threshold(1_000_000)
     garbage.collect()
-    assert ring() is not None  # not collected, because there are too few new objects for a collection
+    assert ring() is not None  # the ring is not collected, because there are too few new objects for a collection
     gc.set_threshold(1)
     more = [[] for _ in range(10)]
     garbage.collect()

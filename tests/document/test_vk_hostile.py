@@ -91,7 +91,7 @@ def test_link_to_a_deleted_object_is_an_error(small, zigzag_commands, lost, word
               "group": small.job.Operations, "job": small.job}[lost]  # fmt: skip
     small.document.removeObject(victim.Name)
     names = {obj.Name for obj in small.document.Objects}
-    if op.Name in names:  # not if FreeCAD has deleted the operation together with its job
+    if op.Name in names:  # false if FreeCAD has deleted the operation together with its job
         (row,) = analyze_mark_clear(small.document).operations
         assert row.strategy == "zigzag" and words in row.error
         assert (row.estimate is None) == (words == "no tool")

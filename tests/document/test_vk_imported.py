@@ -76,7 +76,7 @@ def test_operation_without_proxy_is_not_an_import(small, name):
     """
     The object has no proxy, but heights or a base, which an imported program does not have.
 
-    So the object is an operation, and its feeds are in mm/s.
+    So the object is not an import but an operation, and its feeds are in mm/s.
     """
     operation = small.add(
         "Fast", [("G0", {"X": 5.0, "Y": 5.0, "Z": 30.0}), ("G1", {"Z": 15.0, "F": 300.0}), ("G1", {"X": 55.0})]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks in the tree are outdated after a change of path, tool or stock, and valid again after the change is undone."""
+"""Marks in the tree are outdated after a change of path, tool or stock, and valid again after an undo of the change."""
 
 import FreeCAD
 import Part

@@ -114,5 +114,5 @@ def test_label_with_whole_text_is_as_high_as_the_text(window):
         line = label.fontMetrics().lineSpacing()
         assert heights[0] > 3 * line and heights[1] < heights[0] / 2 and label.height() < 2 * line
     finally:
-        box.hide()  # otherwise the message box would cover the window until Qt deletes the box
+        box.hide()  # an open message box would cover the window until Qt deletes the box
         box.deleteLater()

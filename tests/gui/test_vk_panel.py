@@ -626,7 +626,7 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     assert cautions == "" or " takes about " in cautions or " slows to about " in cautions
     assert column(panel, "Warnings")["Job"].startswith(
         "The simulation cost of Bore is unknown."
-    )  # only the beginning of the tooltip, because the remarks that follow depend on the computer's speed
+    )  # only the beginning of the tooltip is compared, because the rest depends on the computer's speed
 
 
 @pytest.mark.long

@@ -124,7 +124,7 @@ def test_pills_can_be_switched_off(with_page, window, opened):
     assert "PillDelegate" not in delegates()
 
 
-@pytest.mark.long  # only this test really measures; other tests press the button but do not measure
+@pytest.mark.long  # only this test really measures; other tests replace the measurement
 def test_calibrate_button_measures_and_shows_the_date(with_page, restored_calibration, window):
     restored_calibration.unlink()
     seen = []

@@ -643,7 +643,7 @@ def test_text_of_a_combo_box_is_complete_or_ends_in_an_ellipsis(window, wide):
         if box.fontMetrics().horizontalAdvance(words) <= field.width() and box.grab(field).toImage() == seen:
             found.append(words)
     assert found and (text in found) == wide
-    box.hide()  # otherwise the widget would cover a part of later pictures until Qt deletes the widget
+    box.hide()  # the shown widget would cover a part of later pictures until Qt deletes the widget
     box.deleteLater()
 
 

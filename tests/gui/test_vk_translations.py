@@ -58,7 +58,7 @@ def speaking(language, window):
     Gui.setLocale(language)
     window.settle()
     yield
-    Gui.setLocale("en")  # not the former language, which FreeCAD calls "C" but does not accept under this name
+    Gui.setLocale("en")  # FreeCAD calls the former language "C" but does not accept this name
     close_docks(window)
 
 

@@ -112,7 +112,7 @@ def analyze(
                 continue
             token = PATH_PRINTS.begin(operation.object)
             reading = read(operation)
-            going_on()  # lets Qt handle events between copying the path and copying its commands
+            going_on()  # lets Qt handle events between the copying of the path and the copying of its commands
             row = _in_thread(lambda going_on, reading=reading: _row(reading, chosen, conditions, going_on), cancelled)
             reports.append(row)
             PATH_PRINTS.end((row.document, row.name), token, path_and_setting(row.fingerprint)[0])
@@ -167,7 +167,7 @@ def _in_thread(work: Callable, cancelled: Callable[[], bool] | None):
                 going_on()
         return done.result()
     finally:
-        given_up.set()  # ends the work also if `cancelled` raised an error
+        given_up.set()  # ends the thread's work also if `cancelled` raised an error
         garbage.release()
         threads.shutdown(wait=False)
 

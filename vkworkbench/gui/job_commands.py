@@ -111,7 +111,10 @@ def _clamps_text(job) -> str:
 
 
 class PreviousJobCommand(JobCommand):
-    """Choose the previous job of a job: the job whose finished part is its stock. Both jobs machine the same model."""
+    """Choose the previous job of a job: the job whose finished part is its stock.
+
+    Both jobs machine the same model, for example from two sides.
+    """
 
     name = "Vk_PreviousJob"
     menu = QT_TRANSLATE_NOOP("Vk_PreviousJob", "Begin with the Part of Another Job")

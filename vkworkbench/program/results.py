@@ -151,7 +151,7 @@ class Results:
             try:
                 self._write(form.header)
             except BaseException:
-                self.close()  # if the file is not closed, it stays locked
+                self.close()  # an unclosed file would stay locked
                 raise
 
     def _begin(self, path: str, *, resume: bool) -> None:

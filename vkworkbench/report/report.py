@@ -20,7 +20,7 @@ from vkworkbench.report.table import table_of
 from vkworkbench.report.text_table import files_left_out, how_many
 from vkworkbench.report.total import Total, counted_in, total_of
 
-_NO_UTF8 = "surrogateescape"  # writes bytes of file names that are not UTF-8 unchanged
+_NO_UTF8 = "surrogateescape"  # with this error handler, file names that are not UTF-8 are written with unchanged bytes
 
 
 class Cancelled(Exception):

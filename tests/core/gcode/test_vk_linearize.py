@@ -432,7 +432,7 @@ def test_allowed_radius_error_of_an_arc_grows_with_its_chord():
 
 def test_arc_radius_changes_evenly_to_the_end():
     spiral = path(START, ("G3", {"X": 9.0, "Y": 0.0, "I": 5.0, "J": 0.0}), tolerance=1e-5).points
-    below = spiral[spiral[:, 1] < -1]  # In this half turn, the radius changes from 5 to 4.
+    below = spiral[spiral[:, 1] < -1]  # In the spiral's lower half turn, the radius changes from 5 to 4 mm.
     middle = below[np.argmin(np.abs(below[:, 0] - 5))]
     assert np.hypot(middle[0] - 5, middle[1]) == pytest.approx(4.5, abs=0.002)
 

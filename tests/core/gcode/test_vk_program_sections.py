@@ -303,7 +303,7 @@ def test_tool_comment_in_the_line_of_its_change_is_used():
     next_one = "T2 (NEXT TOOL: 5MM DRILL)\n"
     assert sections(f"T1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
     assert sections(f"(20MM FACE MILL)\nT1 M6 (10MM ENDMILL)\n{next_one}{CUT}") == [("10MM ENDMILL", 1, 10)]
-    # The last of several tool changes is used. The comment on its tool can be on the line after this tool change.
+    # The last of several tool changes is used. The comment on the tool can be on the line after the tool change.
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6 (5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"T1 M6 (10MM ENDMILL)\nT2 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 2, 5)]
     assert sections(f"(10MM ENDMILL)\nT1 M6\n(5MM DRILL)\n{CUT}") == [("5MM DRILL", 1, 5)]

@@ -546,7 +546,7 @@ def test_full_disk_gives_one_line_and_can_be_resumed(folder, tmp_path, kind, ins
 @pytest.mark.long
 def test_full_disk_ends_the_command_with_one_line(folder, tmp_path):
     out = tmp_path / "out"
-    # Without this variable, Python would leave a truncated bytecode file.
+    # Without the variable PYTHONDONTWRITEBYTECODE, Python would leave a truncated bytecode file.
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
     with room_for(10):
         done = run(folder, "--json-lines", out, "--jobs", 1, env=environment)

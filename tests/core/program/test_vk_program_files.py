@@ -245,7 +245,7 @@ def test_argument_that_is_not_a_file_name_is_refused():
         with pytest.raises(ValueError, match="the text of a program is no file: give its path"):
             vkworkbench.analyze(text)
     with pytest.raises(ValueError, match=r"one with backslashes is written r'C:\\new\.nc'"):
-        vkworkbench.analyze("C:\new.nc")  # In this string, the two characters \n are a line break.
+        vkworkbench.analyze("C:\new.nc")  # the \n in this path is a line break, because the string is not raw
     assert is_path("a.nc") and is_path(Path("a")) and is_path(["a", Path("b")]) and is_path(("a.nc",))
     assert not is_path(None) and not is_path([]) and not is_path([object()]) and not is_path(object())
 

@@ -79,7 +79,7 @@ def test_rows_cut_in_turn_from_both_sides_are_not_consecutive():
 def test_one_larger_distance_makes_rows_less_even():
     """The distances between the rows are 3, 3, 3, 3, 9, 3, 3, 3 and 3.3 mm.
 
-    The last of these distances equals 3 mm within the tolerance.
+    The last distance, 3.3 mm, equals 3 mm within the tolerance.
     """
     gaps = np.array([3, 3, 3, 3, 9, 3, 3, 3, 3.3])
     _, level, _ = told(rows(np.zeros(ROWS), np.append(0.0, np.cumsum(gaps))))

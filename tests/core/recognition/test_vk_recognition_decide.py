@@ -21,7 +21,7 @@ from vkworkbench.core.recognition.verdict.model import FILE, Trees, shipped_mode
 from vkworkbench.core.recognition.verdict.operation import unknown
 from vkworkbench.language import Message
 
-# Seeds of nonsense toolpaths. Most of these toolpaths have 182 to 801 points, and some contain retracts. Longer
+# Seeds of nonsense toolpaths. Most of the nonsense toolpaths have 182 to 801 points, and some contain retracts. Longer
 # toolpaths would not test more.
 SEEDS = (1, 4, 6, 8)
 SOME = synthetic.SAMPLES[::3]

@@ -13,7 +13,7 @@ from vkworkbench.core.rendering import CUT, Field, palette, scene
 
 PLATE = Stock((0, 0, 0), (600, 400, 20))
 LINE = [("G0", {"X": 50, "Y": 60, "Z": 25}), ("G1", {"Z": 19.7}), ("G1", {"X": 550, "Y": 341}), ("G0", {"Z": 25})]
-# These tools cut less than 1 mm wide, and the pixels of the simulation are 1 mm.
+# Both tools cut less than 1 mm wide, and the pixels of the simulation are 1 mm.
 NARROW = {"end mill": Tool("endmill", 0.2), "V-bit": Tool("vbit", 6.0, tip_angle=pi / 3)}
 
 

@@ -21,7 +21,7 @@ from vkworkbench.report.text_table import printable
 KNOWN = Machining(100.0, 20.0, -1.0, 1.0, 10.0, 2.0, ())
 PARTLY = replace(KNOWN, rapid_seconds=None, left_out=(Message("rapids-not-told", length=20.0),))
 JOB = "Doc", "Job"
-FIRST, SECOND, JOINT = object(), object(), object()  # These objects replace simulation results.
+FIRST, SECOND, JOINT = object(), object(), object()  # three placeholders for simulation results
 
 
 def operation(label, machining=KNOWN, **other):

@@ -245,7 +245,7 @@ def test_gouge_through_part_is_attributed_to_first_remover(x, y):
 class Milled(Convex):
     """A block minus boxes and cylinders, with exact rays.
 
-    Simulate this solid in one process, because worker processes lack this class.
+    Simulate a milled solid in one process, because worker processes lack this class.
     """
 
     def __init__(self, block, *removed):

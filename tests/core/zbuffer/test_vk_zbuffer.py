@@ -139,8 +139,8 @@ def hole_volume(tool, depth):
     """Return the volume of a hole drilled to `depth`, mm^3: the cylinder minus the material below the tip."""
     r, c, k = tool.radius, tool.rounding, tool.steepness
     flat = r - c
-    # Pappus: the corner's spandrel has the area (1 - pi/4) c^2. Its centroid is c (1 - (10 - 3 pi) / (12 - 3 pi)) from
-    # the flat's edge.
+    # Pappus: the corner's spandrel has the area (1 - pi/4) c^2. The spandrel's centroid is c (1 - (10 - 3 pi) / (12 - 3
+    # pi)) from the flat's edge.
     spandrel = (1 - pi / 4) * c**2
     centroid = flat + c * (1 - (10 - 3 * pi) / (12 - 3 * pi))
     return pi * r**2 * depth - 2 * pi * centroid * spandrel - 2 / 3 * pi * k * r**3

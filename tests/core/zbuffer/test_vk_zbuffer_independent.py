@@ -46,7 +46,7 @@ def reached(tool, start, move, at, grown):
     start, move, at : (3, k) ndarray
         Start of the tip, its displacement, and the point, mm.
     grown : float
-        The tool is larger by this on all sides, mm. A negative value makes the tool smaller.
+        Distance by which the tool is enlarged on all sides, mm. With a negative distance, the tool is made smaller.
 
     Returns
     -------

@@ -336,7 +336,7 @@ class RINGS:
     WALLS = 8
     #: share of the steps between rings. Nested rings are cut from inside to outside, or from outside to inside, if more
     #: than this share of the steps between the rings has this direction. Climb or conventional milling is reported only
-    #: for such rings. No recognised strategy depends on this threshold.
+    #: for rings with one such direction. No recognised strategy depends on this threshold.
     ONE_WAY = 0.75
 
 
@@ -462,9 +462,9 @@ class ROWS:
     #: profiles. With a higher value, combs are recognised as zigzags.
     WALLS = 1.05
     #: steps. Rows that are cut consecutively can be farther apart than the tool reaches, because rows cut later lie
-    #: between them. The threshold is the largest distance between such rows, as a multiple of the period. With the
-    #: value 1, rows that are cut in two rounds, first every second row, are recognised as engravings. With a higher
-    #: value, passes along both sides of uncut ground are recognised as rows.
+    #: between them. The threshold is the largest distance between rows that are cut consecutively, as a multiple of the
+    #: period. With the value 1, rows that are cut in two rounds, first every second row, are recognised as engravings.
+    #: With a higher value, passes along both sides of uncut ground are recognised as rows.
     LEFT_BETWEEN = 3
     #: share of the length of all possible rows. Two families of rows are a grid if both families together have more
     #: than this share of the length of all moves that can be rows. With the value 0, waterlines and adaptive clearing

@@ -4,9 +4,10 @@
 In parallel projection with the elevation angle e, a point that is 1 mm farther away horizontally appears sin(e) mm
 higher on the screen, and a point that is 1 mm higher appears cos(e) mm higher on the screen. For each column of pixels,
 the columns of material that can appear there are visited from front to rear. The horizon is the greatest screen height
-of the rear edges of the tops visited so far. A pixel sees the first column of material at which the horizon reaches the
-pixel. If the pixel is below the front edge of the column's top, it sees the column's wall; otherwise it sees the top. A
-second horizon is the smallest screen height of the lower ends of the columns visited so far.
+of the rear edges of the tops visited so far. A pixel of the picture shows the first column of material with which the
+horizon reaches the pixel's height. If the pixel is below the front edge of the column's top, it sees the column's wall;
+otherwise it sees the top. A second horizon is the smallest screen height of the lower ends of the columns visited so
+far.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ def look(layer: Layer, of_layer: Frame, frame: Frame) -> Seen:
     Parameters
     ----------
     layer : Layer
-        The layer to draw. For a view from below, this layer is turned upside down.
+        The layer to draw. For a view from below, the layer is turned upside down.
     of_layer : Frame
         Frame in which the layer was simulated, from above.
     frame : Frame
@@ -120,8 +121,8 @@ class _Turned:
     lift : float
         Height of the stock's centre, which is the origin of heights in the layer, above the image's centre, mm.
     rise : (n,) float32
-        Screen height of the front edge of the cells of each step if their tops were at height 0, in pixels from the
-        image's lower edge.
+        Screen height of the front edge of each step's cells if their tops were at height 0, in pixels from the image's
+        lower edge.
     """
 
     def __init__(self, layer: Layer, of_layer: Frame, frame: Frame, sine: float, cosine: float) -> None:
@@ -169,7 +170,7 @@ def _sums(along: np.ndarray, across: np.ndarray, cell: float, offset: float, cou
 
 
 def _first_above(back: np.ndarray, height: int) -> np.ndarray:
-    """Return the first step, from front to rear, at which the horizon reaches each pixel, (height, width) int32.
+    """Return the first step, from front to rear, at which the horizon covers each pixel, (height, width) int32.
 
     For pixels that the horizon never reaches, the result is the number of the last step. `back` (n, width) contains the
     screen heights of the rear edges of the tops, pixels.
@@ -178,7 +179,7 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered = np.empty((steps, width), np.int32)  # number of pixels below the horizon before each step
     covered[0] = 0
     horizon = np.zeros(width, np.float32)
-    for step in range(steps - 1):  # this loop is much faster than np.maximum.accumulate
+    for step in range(steps - 1):  # number of pixels below the horizon before each step from front to rear
         np.maximum(horizon, back[step], out=horizon)
         covered[step + 1] = horizon + np.float32(0.5)
     np.minimum(covered, height, out=covered)
@@ -186,8 +187,8 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
     # A step visits one cell in each column of pixels, from front to rear. If several successive steps begin with the
-    # same horizon, only the last of these steps raises the horizon. Numpy assigns the number of this last step last, so
-    # `found` keeps the number.
+    # same horizon, only the last of these steps raises the horizon. When numpy assigns the numbers of these steps, it
+    # assigns the last number last, so `found` keeps this number.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)

@@ -15,7 +15,7 @@ from vkworkbench.core.simulators.table import SIMULATORS
 def as_data(name: str, cost: Cost) -> dict[str, Any]:
     """Return, for JSON, the fields of a cost that FreeCAD documents store.
 
-    These fields suffice to compute the cost of several operations in sequence, see `Simulator.together`.
+    From these fields, `Simulator.together` can compute the cost of several operations in sequence.
     """
     return {field.name: _plain(getattr(cost, field.name)) for field in fields(_kind(name))}
 

@@ -28,9 +28,8 @@ class Task:
     ----------
     toolpath : Toolpath
     tool : Tool or None
-        The tool; if tool or stock is unknown, no cost is predicted. FreeCAD's legacy simulator also cuts with a shank
-        that is wider than the cutting edge. FreeCAD's legacy simulator cuts with a shank that is wider than the cutting
-        edge, so for such a tool, give the diameter of the shank.
+        The tool; if tool or stock is unknown, no cost is predicted. FreeCAD's legacy simulator also cuts with the
+        shank, so for a tool whose shank is wider than the cutting edge, give the shank's diameter.
     stock : Solid or None
     words : Words or None
         Words of the operation's commands, in which the warnings search for commands that a simulator handles wrongly.

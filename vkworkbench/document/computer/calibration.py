@@ -148,7 +148,7 @@ def _path() -> Path:
 def _records() -> dict:
     try:
         records = json.loads(_path().read_text())
-        json.dumps(records)  # fails for lists that are nested too deep, which `_save` could not write again
+        json.dumps(records)  # fails if lists are nested too deep, because `_save` could not write them again
     except (OSError, *_UNREADABLE):
         return {}
     return records if isinstance(records, dict) else {}

@@ -130,7 +130,8 @@ def setting_fingerprint(
 def surroundings_fingerprint(job) -> str:
     """Return the fingerprint of a job's model, clamps and previous job, and of the holder in the preferences.
 
-    The verdict of a simulation depends on these inputs; the analysis does not. The fingerprint is empty without a job.
+    The verdict of a simulation depends on the model, clamps, previous job and holder; the analysis does not. The
+    fingerprint is empty without a job.
     """
     if job is None:
         return ""

@@ -84,7 +84,10 @@ def is_there(obj) -> bool:
 
 
 def is_gone(what) -> bool:
-    """Return whether a value is a closed document or a deleted object. A macro can still hold such a value."""
+    """Return whether a value is a closed document or a deleted object.
+
+    A macro can still hold a closed document or a deleted object.
+    """
     try:
         return not is_document(what) and is_object(what) and not is_there(what)
     except ReferenceError:  # reading any attribute of a closed document raises this error

@@ -15,7 +15,7 @@ from vkworkbench.document.job.setting import read_tool
 
 @dataclass(frozen=True)
 class Source:
-    """Copies of the properties that determine an operation's strategy. Another thread may read them.
+    """Copies of the properties that determine an operation's strategy. Another thread may read these copies.
 
     Attributes
     ----------

@@ -3,8 +3,8 @@
 
 `RESULTS` stores results under all inputs of an analysis, unrounded: the text of the path, placement, tool, stock,
 feeds, preferences and calibration. Therefore an unchanged operation is not analysed again, and a changed operation has
-another key. `remember` and `latest_row` store and return the last result of each operation of an open document. These
-results contain all numbers of the analysis; the marks in the tree contain fewer numbers.
+another key. `remember` and `latest_row` store and return the last result of each operation of an open document. The
+stored results contain all numbers of the analysis; the marks in the tree contain fewer numbers.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class ResultCache:
         return len(self._rows)
 
     def find(self, key: Hashable | None) -> OperationReport | None:
-        """Return the row of a key; None for an unknown key and for the key None."""
+        """Return the stored row of the results with a key; None for an unknown key and for the key None."""
         with self._lock:
             if key in self._rows:
                 self._rows.move_to_end(key)

@@ -31,7 +31,7 @@ _SIMPLIFIED = {
     "taperedballnose": _AS_BALL_END, "tap": _AS_DRILL, "threadmill": _AS_END_MILL, "slittingsaw": _AS_END_MILL,
     "slotcutter": _AS_END_MILL, "dovetail": _AS_END_MILL, "radius": _AS_END_MILL,
 }  # fmt: skip
-# Pointed tools whose cutting edge height includes the cone. The height of other pointed tools begins above the cone.
+# Pointed tools whose CuttingEdgeHeight includes the cone; the CuttingEdgeHeight of a V-bit begins above its cone.
 _WHOLE_EDGE = ("chamfer", "countersink")
 
 

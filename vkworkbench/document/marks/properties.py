@@ -118,7 +118,7 @@ def may_show(obj, names: Iterable[str]) -> set[str]:
 
 
 def set_values(obj, values: dict) -> None:
-    """Set the mark's properties to these values.
+    """Set the properties of a mark to the given values, by name.
 
     The mark's properties without a value are removed; properties with another type or other attributes are replaced.
     """

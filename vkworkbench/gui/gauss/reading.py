@@ -78,7 +78,10 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)
     going_on()
     signature = areas.signature(index)
-    _ = signature.theta_level, signature.length  # fill these caches here, because Qt's main thread would take long
+    _ = (
+        signature.theta_level,
+        signature.length,
+    )  # computes these cached properties here in a thread, because they would block Qt's main thread for long
     drawn = [Polyline(points(areas)) for points in (outline, links)]
     going_on()
     yield Reading(recognition, areas, *drawn, index)

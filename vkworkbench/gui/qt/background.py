@@ -151,7 +151,7 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
             going_on()
         results.put((False, None))
     except Exception as error:
-        results.put((False, error))  # after `give_up`, the error is never read
+        results.put((False, error))  # after `give_up`, nobody reads the error
 
 
 class Busy(QWidget):

@@ -91,7 +91,7 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
     as_plain(dialog.findChild(QLabel))
     dialog.setLabelText(text)
     dialog.setCancelButtonText(translate("Vk_Analyze", "Cancel"))
-    dialog.rejected.connect(dialog.cancel)  # makes Esc cancel, whichever widget of the dialog has the focus
+    dialog.rejected.connect(dialog.cancel)  # makes the Esc key cancel the dialog, whichever widget has the focus
     return dialog
 
 

@@ -342,8 +342,8 @@ class Player(QWidget):
     def ask(self, surface: Surface) -> None:
         """Respond to a click on a surface.
 
-        If the user is measuring, measure the point of the surface. Otherwise go to the moment at which the surface was
-        made, and select the operation that made it.
+        If the user is measuring, measure the point of the surface. If the user is not measuring, go to the moment at
+        which the surface was made, and select the operation that made it.
         """
         if self.simulation is None:  # the image is still the preview from reading the job
             return

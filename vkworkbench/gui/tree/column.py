@@ -113,8 +113,9 @@ def fit_description(least: int) -> None:
         precision = header.resizeContentsPrecision()
         for column in (0, DESCRIPTION):
             if header.sectionResizeMode(column) != QHeaderView.ResizeToContents:
-                # Let Qt measure only the visible rows (precision 0), but only during this call. Otherwise a column with
-                # an automatic width would follow the visible rows, which change with the scroll bar, in an endless loop.
+                # Let Qt measure only the visible rows (precision 0), but only during this call. With precision 0
+                # always, a column with an automatic width would follow the visible rows, which change with the scroll
+                # bar, in an endless loop.
                 header.setResizeContentsPrecision(0)
                 tree.resizeColumnToContents(column)
                 header.setResizeContentsPrecision(precision)

@@ -53,7 +53,7 @@ class Layout:
         The text that Qt's style paints, with gaps for the pieces.
     pieces : list of Piece
     needed : int
-        Minimum width of the cell, px. The text beyond this width may be cut off.
+        Minimum width of the cell, px. In a narrower cell, the end of the text may be cut off.
     """
 
     def __init__(self, metrics) -> None:

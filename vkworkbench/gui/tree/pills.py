@@ -187,7 +187,7 @@ def _follow_preferences() -> None:
     show()
 
 
-_changes = single_shot(_follow_preferences)  # This runs once, after all changed preferences were written.
+_changes = single_shot(_follow_preferences)  # This function runs once, after all changed preferences were written.
 
 
 def _repaint() -> None:

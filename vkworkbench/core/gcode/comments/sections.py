@@ -180,7 +180,9 @@ class _Groups:
         }
         self._changes = {mark.line: mark.number for mark in marks if not isinstance(mark.what, str)}
         self._ended = {ended for _, _, text in program.comments if (ended := _named(_TO, text))}
-        self._begun = ""  # Name of the operation after its begin comment, before its end comment; otherwise empty.
+        self._begun = (
+            ""  # Name of the operation whose begin comment was read last; empty after the operation's end comment.
+        )
         # The tools that the comments read so far describe.
         self._known: dict[int, Tool] = _only_required_tool(program)
         self._is_fusion = any(_TOOL_OF_FUSION.match(text) for _, _, text in program.comments)

@@ -98,7 +98,9 @@ def cut_pieces(moves: Areas) -> Pieces:
     # whose left and right turns cancel out by at least a full turn.
     able = np.where(kind == LOOP, parts.turned > np.abs(net) + TURN, parts.end - parts.start > 2)
     if parts.length[able].sum() < NEGLIGIBLE.LINKS * parts.length.sum():
-        able[:] = False  # if all these stretches are short in total, they are links between loops
+        able[:] = (
+            False  # open stretches and unwinding loops that are short in total are links between loops, not zigzags
+        )
     alternating, constant, passes, parallel = half_turns(moves, parts, able)
     opened = kind != LOOP
     waves = (alternating > PASSES.ALTERNATING * parts.length) & (alternating > PASSES.MORE * constant)

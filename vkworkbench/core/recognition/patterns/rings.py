@@ -270,7 +270,7 @@ class Pairs:
     def alike(self) -> np.ndarray:
         """Whether all four sides of the second ring's box are shifted by one distance, (p,) bool.
 
-        Such a shift is rare in a lattice (rows that bounce from wall to wall).
+        In a lattice (rows that bounce from wall to wall), two rings are rarely shifted by one distance.
         """
         low, high, mean, _ = self.shift
         return high - low <= NESTS.EQUAL_SIDES * np.abs(mean) + ROUNDING.PLACE

@@ -78,9 +78,9 @@ def decide(s: Section, rules: Verdict, paper: PaperVerdict | None) -> tuple[Verd
 def elect(nonsense: float, votes: np.ndarray, rules: int) -> tuple[int, float]:
     """Return the strategy with most votes, as an index of STRATEGIES, and the probability that it is right.
 
-    The strategy is elected from the class (strategies of one family) with most votes. Its probability is its share of
-    the votes for strategies, times the share of the votes against nonsense. If the share of the votes for nonsense
-    exceeds VOTES.NONSENSE, return UNKNOWN and this share.
+    The strategy is elected from the class (strategies of one family) with most votes. The class's probability is its
+    share of the votes for strategies, times the share of the votes against nonsense. If the share of the votes for
+    nonsense exceeds VOTES.NONSENSE, return UNKNOWN and this share.
 
     Parameters
     ----------

@@ -26,7 +26,8 @@ from vkworkbench.core.zbuffer.sweeps.cuts import Cut, Cuts, Source
 from vkworkbench.core.zbuffer.sweeps.trajectories import passes_over
 
 # Distance between rays for the second check, mm, which examines rapids that remove nothing on the rays of the first
-# check. A larger distance misses rapids that cut a thin layer off a wall. A smaller distance makes the check slower.
+# check. With a larger distance between rays, rapids that cut a thin layer off a wall are missed. With a smaller
+# distance between rays, the check is slower.
 _CLOSE = 2.0**-5
 # Smallest distance between rays, mm. Only pointed tools whose tip is slightly below the stock's top need rays as close
 # as this.

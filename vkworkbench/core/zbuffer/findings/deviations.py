@@ -234,8 +234,8 @@ def _find_makers(zbuffer: ZBuffer, gap: _Gap, tolerance: float) -> tuple[np.ndar
 def _find_removers(zbuffer: ZBuffer, pixels: np.ndarray, depth: np.ndarray, behind: np.ndarray) -> np.ndarray:
     """Return the trajectory that removed the first material at or below `depth` (k,) on each pixel's ray.
 
-    The result is `STOCK` if this material was not removed, or if the stock has no material between `depth` and `behind`
-    (k,).
+    The result is `STOCK` if no trajectory removed material there, or if the stock has no material between `depth` and
+    `behind` (k,).
     """
     records = zbuffer.records
     end = records.index[pixels + 1].astype(np.int64)

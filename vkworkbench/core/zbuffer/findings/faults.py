@@ -25,9 +25,9 @@ _PLUNGE, _FULL = 5.0, 0.5
 # Largest allowed ratio of a plunge's feed to the vertical feed. The ratio is slightly above 1, because FreeCAD rounds
 # feeds.
 _FASTER = 1.01
-# _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash. At
-# heights where a pointed tool is narrow, the limit is half of the tool's half width, but at least `_ROUNDED_ASIDE`.
-# Smaller limits report crashes because of rounded coordinates, larger limits hide scratches.
+# _TOUCHES: horizontal depth, mm, up to which a rapid in a wall or flank only touches the material and is not a crash.
+# At heights where a pointed tool is narrow, the limit is half of the tool's half width, but at least `_ROUNDED_ASIDE`.
+# Smaller limits report crashes because of rounded coordinates; larger limits hide scratches of rapids.
 _TOUCHES, _ROUNDED_ASIDE = 0.02, 0.002
 # Material up to this height, mm, above the tool's lower surface counts as a rounding error.
 ROUNDED = 1e-3

@@ -43,8 +43,8 @@ class Verdict:
     lines : bool
         Whether the message names commands by their line in the NC program, counted from 1.
     unread : tuple of Message
-        Messages on parts of the job that could not be read, and on assumptions made while reading the job. With such a
-        message, `is_sound` is False.
+        Messages on parts of the job that could not be read, and on assumptions made while reading the job. If there is
+        a message on an unread part, `is_sound` is False.
     """
 
     pixel: float | None = None

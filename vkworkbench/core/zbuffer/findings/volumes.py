@@ -57,8 +57,8 @@ class Volumes:
     of_parts : (parts[-1],) float64
         Volume that the tool removes while the tool moves along each part, mm^3.
     rays : (cuts,) float64
-        Largest volume that each operation removes from one ray, mm^3. This volume is a lower bound of the error,
-        because four images can agree by chance.
+        Largest volume that each operation removes from one ray, mm^3. The largest volume on one ray is a lower bound of
+        the error, because four images can agree by chance.
     """
 
     each: np.ndarray

@@ -199,7 +199,7 @@ class _Walls:
     def __init__(self, radius: float, x: np.ndarray, ux: np.ndarray, uy: np.ndarray) -> None:
         self.radius, self.x, self.uy = radius, x, uy
         run = np.sqrt(ux**2 + uy**2)
-        # True for moves whose horizontal direction is parallel to the ray, up to rounding.
+        # True for moves whose horizontal direction is, up to rounding, the direction of the ray.
         along = np.abs(ux) <= 1e-12 * run
         self.ux = np.where(along, 0.0, ux)
         self.inverse = np.where(along, 0.0, 1 / np.where(along, 1.0, ux))

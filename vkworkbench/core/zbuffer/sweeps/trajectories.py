@@ -23,8 +23,8 @@ _LEVEL = 1e-9
 # Number of trajectories, or of pairs of a trajectory and a ray, in one batch. The arrays of a larger batch would not
 # fit into the processor's cache, and in a smaller batch the overhead of numpy's calls would dominate.
 AT_ONCE = 16_384
-# Number of pairs of a trajectory and a rectangle of the image that are compared in one batch. A larger number would
-# need more memory for each batch.
+# Number of pairs of a trajectory and a rectangle of the image that are compared in one batch. With a larger number of
+# pairs, each batch would need more memory.
 _PAIRS_HELD = 1_000_000
 
 

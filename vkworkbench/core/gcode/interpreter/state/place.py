@@ -26,7 +26,7 @@ class Place:
     ----------
     lost : set of str
         Axes along which the tool moved to a position that the program does not contain. The method `now` updates this
-        set.
+        set of axes.
     """
 
     def __init__(self, commands: Commands) -> None:
