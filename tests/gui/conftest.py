@@ -175,11 +175,10 @@ class Window:
         for _ in range(2):
             QtGui.QGuiApplication.sync()
             events.happen()
-        self.wait(lambda: not (idle._works or idle._calls or any(timer.isActive() for timer in self._tree_timers())))
-
-    def _tree_timers(self):
-        """Return the timers after which FreeCAD's trees show a selection or a change."""
-        return [timer for view in tree.trees() for timer in view.findChildren(QtCore.QTimer)]
+        # FreeCAD's trees show a selection or a change after a timer. The timers are searched for only once, because a
+        # search creates a Python object for each widget of FreeCAD.
+        timers = [timer for view in tree.trees() for timer in view.findChildren(QtCore.QTimer)]
+        self.wait(lambda: not (idle._works or idle._calls or any(timer.isActive() for timer in timers)))
 
     def activate(self, workbench):
         if Gui.activeWorkbench().name() != workbench:
@@ -187,21 +186,21 @@ class Window:
             self.settle()
         # Show the tree's dock, which FreeCAD hides because it starts without a workbench.
         shown = {"Combo View": True, "Model": True, "Report view": False, "Python console": False}
-        for dock in self.find(QtGui.QDockWidget):
-            if dock.objectName() in shown:
-                dock.setVisible(shown[dock.objectName()])
-                dock.raise_()  # in FreeCAD 1.x the task panel can cover the tree
-        # In FreeCAD 0.20, choose the tab with the tree, because some workbenches choose the tab with the tasks.
-        for tabs in self.find(QtGui.QTabWidget, "combiTab"):
-            tabs.setCurrentIndex(0)
-        for bar in self.find(QtGui.QToolBar):
+        for widget in self.find((QtGui.QDockWidget, QtGui.QTabWidget, QtGui.QToolBar)):
+            name = widget.objectName()
+            if name in shown and isinstance(widget, QtGui.QDockWidget):
+                widget.setVisible(shown[name])
+                widget.raise_()  # in FreeCAD 1.x the task panel can cover the tree
+            # In FreeCAD 0.20, choose the tab with the tree, because some workbenches choose the tab with the tasks.
+            elif name == "combiTab":
+                widget.setCurrentIndex(0)
             # Move the toolbar to a separate row, in which it has room for all its buttons.
-            if bar.objectName() == "Toolpath Analysis" and not self.main.toolBarBreak(bar):
-                self.main.insertToolBarBreak(bar)
+            elif name == "Toolpath Analysis" and not self.main.toolBarBreak(widget):
+                self.main.insertToolBarBreak(widget)
         self.settle()
 
     def find(self, kind, name=None):
-        """Return all widgets of a class, which are kept until the next call so that PySide does not delete them."""
+        """Return all widgets of a class or of several, kept until the next call so that PySide does not delete them."""
         self.found = widgets.find(kind, name)
         return self.found
 
@@ -403,8 +402,9 @@ def document(desk):
 
 def hide_results(window):
     """Hide the results panel, so that the 3D view is larger."""
-    for dock in window.find(QtGui.QDockWidget, docks.RESULTS):
-        dock.hide()
+    for dock in widgets.docks():
+        if dock.objectName() == docks.RESULTS:
+            dock.hide()
 
 
 @pytest.fixture(autouse=True)

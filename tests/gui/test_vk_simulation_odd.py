@@ -226,7 +226,7 @@ def huge_tool(document):
 
 def tiny_tool(document):
     op = lone(document, SLOT)
-    op.ToolController.Tool.Diameter = 1e-3
+    op.ToolController.Tool.Diameter = 0.1  # a thinner tool would need an image with a pixel of its diameter
 
 
 def tiny_stock(document):

@@ -170,8 +170,16 @@ def tiny(window):
     window.main.setGeometry(before)
 
 
-@pytest.mark.parametrize("strange", first_everywhere(STRANGE, 3), ids=lambda one: one.__name__)
-@pytest.mark.parametrize("when", first_everywhere(["behind", "meanwhile"]))
+# The thread that prepares the drawing does not read the scene, so only changes of objects are made meanwhile.
+MEANWHILE = [deleted_and_undone, read_again, moved_into_another_document, deleted_in_a_step_given_up,
+             paths_that_change_all_the_time, only_a_second_view]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("strange", "when"),
+    first_everywhere([*((one, "behind") for one in STRANGE), *((one, "meanwhile") for one in MEANWHILE)], 3),
+    ids=lambda one: getattr(one, "__name__", one),
+)
 def test_show_strategies_survives_changes_of_the_scene(short_job, window, tiny, tmp_path, strange, when):
     copy = tmp_path / "attacked.FCStd"
     copy.write_bytes(short_job.read_bytes())

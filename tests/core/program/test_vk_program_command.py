@@ -605,38 +605,28 @@ def scheduler(tmp_path):
 
 @pytest.mark.long
 def test_results_on_a_dask_cluster_equal_local_results(folder, tmp_path, inside, endless, scheduler):
+    """A worker is killed while it analyses an endless program, and the other worker analyses this program."""
     address, client = scheduler
     here, there = tmp_path / "here.csv", tmp_path / "there.csv"
     inside(folder, "--csv", here)
-    done = run(folder, endless, "--csv", there, "--timeout", "20", "--scheduler", address)
+    asked = command(folder, endless, "--csv", there, "--timeout", "20", "--scheduler", address)
+    with subprocess.Popen(asked, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
+        deadline = time.monotonic() + 100
+        while (not there.exists() or there.read_bytes().count(b"\n") < 1 + len(NAMES)) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
+        assert len(started) == 2 and all(started.values())  # each of the two workers had programs to analyse
+        (busy,) = (worker for worker, tasks in client.processing().items() if tasks)
+        os.kill(client.run(os.getpid)[busy], signal.SIGKILL)
+        _, said = process.communicate(timeout=120)
     # After the last line, Dask may print messages about closed connections.
-    assert done.returncode == 1 and "3 operations in 5 files, 2 could not be read." in done.stderr.splitlines()
+    assert process.returncode == 1 and "3 operations in 5 files, 2 could not be read." in said.splitlines()
+    assert "Traceback" not in said
     late, found = [], []
     for line in there.read_bytes().splitlines():
         (late if b"endless.nc" in line else found).append(line)
     assert sorted(found) == sorted(here.read_bytes().splitlines())
     assert len(late) == 1 and b"stopped after 20 s" in late[0]
-    started = client.run(lambda: len(__import__("vkworkbench.program.apart", fromlist=["apart"])._workers))
-    assert len(started) == 2 and all(started.values())  # each of the two workers had programs to analyse
-
-
-@pytest.mark.long
-def test_dask_worker_that_is_killed_loses_no_result(folder, tmp_path, endless, scheduler):
-    """Another worker analyses the program of the killed worker."""
-    address, client = scheduler
-    out = tmp_path / "out.csv"
-    asked = command(folder, endless, "--csv", out, "--timeout", "20", "--scheduler", address)
-    with subprocess.Popen(asked, cwd=ROOT, stderr=subprocess.PIPE, text=True) as process:
-        deadline = time.monotonic() + 100
-        while (not out.exists() or out.read_bytes().count(b"\n") < 1 + len(NAMES)) and time.monotonic() < deadline:
-            time.sleep(0.05)
-        (busy,) = (worker for worker, tasks in client.processing().items() if tasks)
-        os.kill(client.run(os.getpid)[busy], signal.SIGKILL)
-        _, said = process.communicate(timeout=120)
-    assert process.returncode == 1 and "Traceback" not in said
-    errors = {Path(row["document"]).name: row["error"] for row in rows_of(out)}
-    assert errors.pop("endless.nc") == "The analysis was stopped after 20 s."
-    assert errors.pop("b.nc") and len(errors) == 3 and not any(errors.values())
 
 
 @pytest.mark.parametrize(
