@@ -71,7 +71,7 @@ class Examples:
     best : (n,) int
         The best strategy of the row.
     rules : (n,) int
-        The strategy that the rules propose.
+        The strategy that the rules propose. UNKNOWN marks a toolpath of a lathe, for which no trees vote.
     paper : (n,) int
         The verdict of the paper's own rule.
     names : (m,) str
@@ -159,7 +159,7 @@ def learn(e: Examples, chosen: np.ndarray, calibration=(0.0, 1.0)) -> Model:
     some = chosen[row] & (weight > 0)
     strategies = RandomForestClassifier(**OF_STRATEGIES).fit(e.x[row[some]], label[some], weight[some])
     weight = e.weight(1)
-    some = chosen & (weight > 0)
+    some = chosen & (weight > 0) & (e.rules != UNKNOWN)
     nonsense = ExtraTreesClassifier(**OF_NONSENSE).fit(e.x[some], (e.best == UNKNOWN)[some].astype(int), weight[some])
     return Model(e.names, exported(nonsense, 2), exported(strategies, len(STRATEGIES)), np.array(calibration))
 
@@ -168,8 +168,9 @@ def verdicts(model: Model, e: Examples, some: np.ndarray) -> tuple[np.ndarray, n
     """Return the recognised strategies for some table rows, (k,), and their shares of the votes, (k,)."""
     x = e.x[some].astype(np.float32)
     voted = zip(model.nonsense.shares(x)[:, 1], model.strategies.shares(x), e.rules[some])
-    said, share = zip(*(elect(nonsense, votes, rules) for nonsense, votes, rules in voted))
-    return np.array(said), np.array(share)
+    said, share = map(np.array, zip(*(elect(nonsense, votes, rules) for nonsense, votes, rules in voted)))
+    lathe = e.rules[some] == UNKNOWN
+    return np.where(lathe, UNKNOWN, said), np.where(lathe, 1.0, share)
 
 
 def calibrated(share: np.ndarray, right: np.ndarray, weight: np.ndarray) -> tuple[float, float]:

@@ -45,9 +45,11 @@ from toolpaths import few_moves, fine_rows, lathe, nonsense, outlines, strokes, 
 from vkworkbench.core import Toolpath
 from vkworkbench.core.gcode import linearize
 from vkworkbench.core.paper import monotonous_areas, paper_verdict
+from vkworkbench.core.recognition import is_turned
 from vkworkbench.core.recognition.patterns.section import Section
 from vkworkbench.core.recognition.verdict.measures import measure_section
 from vkworkbench.core.recognition.verdict.rules import judge_section
+from vkworkbench.core.strategy import Strategy
 
 TABLE = HERE / "labelled_operations.csv"
 PROGRAMS = ("real_programs.csv", "real_programs_unseen.csv")
@@ -177,11 +179,12 @@ def rows_of(one: Labelled) -> list[dict[str, str]]:
     moves, rows = monotonous_areas(one.path), []
     for tool in dict.fromkeys((one.tool or 0.0, 0.0)) if len(moves) else ():
         section, paper = Section(moves, tool), paper_verdict(moves)
+        rules = Strategy.UNKNOWN if is_turned(one.path) else judge_section(section).strategy
         rows.append(
             {
                 **dict(zip(COLUMNS, one)),
                 "tool": f"{tool:.4g}",
-                "rules": judge_section(section).strategy.value,
+                "rules": rules.value,
                 "letter": paper.strategy.value if paper else "unknown",
                 **{name: f"{value:.4g}" for name, value in measure_section(section).items()},
             }
