@@ -1421,6 +1421,10 @@
         <source>{seen}.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The pecks of {name} are ignored. Each hole is drilled in one move.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1421,6 +1421,10 @@
         <source>{seen}.</source>
         <translation>{seen}.</translation>
     </message>
+    <message>
+        <source>The pecks of {name} are ignored. Each hole is drilled in one move.</source>
+        <translation>Die Zustellungen von {name} werden übergangen. Jede Bohrung wird in einer Bewegung gebohrt.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

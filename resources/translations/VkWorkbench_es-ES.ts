@@ -1421,6 +1421,10 @@
         <source>{seen}.</source>
         <translation>{seen}.</translation>
     </message>
+    <message>
+        <source>The pecks of {name} are ignored. Each hole is drilled in one move.</source>
+        <translation>Los picoteos de {name} se ignoran. Cada agujero se taladra en un solo movimiento.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1421,6 +1421,10 @@
         <source>{seen}.</source>
         <translation>{seen}.</translation>
     </message>
+    <message>
+        <source>The pecks of {name} are ignored. Each hole is drilled in one move.</source>
+        <translation>Les débourrages de {name} sont ignorés. Chaque trou est percé en un seul mouvement.</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -1421,6 +1421,10 @@
         <source>{seen}.</source>
         <translation>{seen}。</translation>
     </message>
+    <message>
+        <source>The pecks of {name} are ignored. Each hole is drilled in one move.</source>
+        <translation>{name} 的啄钻被忽略。每个孔按一次移动钻成。</translation>
+    </message>
 </context>
 <context>
     <name>Strategy</name>

@@ -479,7 +479,7 @@ def test_equal_problems_are_one_problem_with_a_count():
     ("text", "sentence"),
     [
         ("0 BEGIN PGM PART MM\n1 BLK FORM 0.1 Z X+0\n2 TOOL CALL 1 Z S2000\n3 L X+10 Y+5 R0 FMAX\n", "Line 1: The program is written for Heidenhain controls"),
-        ("N10 G0 X0 Y0\nN20 CYCLE81(10,0,2,-5)\n", "Line 2: The program is written for Siemens controls"),
+        ("N10 G0 X0 Y0\nN20 CYCLE84(10,0,2,-5)\n", "Line 2: The program is written for Siemens controls"),
         ("G0 X0\nG1 X=R1 Y20\n", "Line 2: The program is written for Siemens controls"),
         ("G0 X0\nN20 R10=5\n", "Line 2: The program is written for Siemens controls"),
         ("G0 X0\nX9 CHF = 2\n", "Line 2: The program is written for Siemens controls"),

@@ -162,7 +162,7 @@ def test_names_and_comments_are_not_siemens_words(line):
 @pytest.mark.parametrize(
     "line",
     [
-        "CYCLE81(10,0,2,-5)", "N20 MCALL CYCLE83(10,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL", "N10 ROT RPL=5",
+        "CYCLE84(10,0,2,-5)", "N20 MCALL CYCLE83(RTP,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL HOLE", "N10 ROT RPL=5",
         "N10 G0 A=DC(5)", "CYCLE800(1,2)", "N10 AMIRROR X0", "DEF REAL A", "N10 G1 X=R1",
     ],
 )  # fmt: skip
@@ -256,7 +256,7 @@ def test_table_of_dialects_in_the_guide_is_correct(line, end, remarks):
 
 
 @pytest.mark.parametrize(
-    "line", ["L X+10 Y+5 R0 FMAX", "G0 A=DC(10)", "ROT RPL=5", "CYCLE81(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G1 AP=30 RP=5", "G1 X9 CHF=2"]
+    "line", ["L X+10 Y+5 R0 FMAX", "G0 A=DC(10)", "ROT RPL=5", "CYCLE84(5,0,1,-5)", "MCALL CYCLE81(5)", "R1=5", "G1 AP=30 RP=5", "G1 X9 CHF=2"]
 )  # fmt: skip
 def test_control_languages_named_in_the_guide_are_refused(line):
     with pytest.raises(Unusable, match=r"The program is written for (Heidenhain|Siemens) controls"):
@@ -367,3 +367,15 @@ def test_corners_of_siemens_are_read():
 def test_incremental_word_of_siemens_at_an_unknown_position_is_refused():
     with pytest.raises(Unusable, match="Siemens"):
         read_program("G21 G90\nG0 X=IC(5) Y0 Z5\nG1 Z-1 F60")
+
+
+def test_drilling_cycles_of_siemens_are_read():
+    """The tool descends at rapid to the clearance (2) above the reference plane (0), and rises to 20."""
+    single = read_program(PLAIN + "G0 Z50\nCYCLE81(20,0,2,-10)\n/N5 CYCLE82 (20,,2,,5,0.5)\nX11").toolpath()
+    assert single.points[4:, 2].tolist() == [2, -10, 20, 2, -5, 20, 20] and single.rapid[-1]
+    assert [problem.what.code for problem in single.problems] == ["block-delete"]
+    modal = read_program(PLAIN + "G0 Z20\nMCALL CYCLE83(20,0,2,-10,,-5)\nX20\nG91 X5\nM8\nMCALL\nX5").toolpath()
+    assert modal.points[4:].tolist() == [
+        [x, 2, z] for x, heights in ((20, (20, 2, -10, 20)), (25, (20, 2, -10, 20)), (30, (20,))) for z in heights
+    ]
+    assert [problem.what.code for problem in modal.problems] == ["pecks-not-read"]

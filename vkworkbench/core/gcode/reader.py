@@ -344,6 +344,9 @@ class _Reader:
             return None
         line = _BLOCK_DELETE.sub(r"\1", line.partition(";")[0].strip().upper())
         machine, modes = self.machine, self.machine.modes
+        if cycle := dialects.drilling(line):
+            machine.drill(self.number, cycle)
+            return None
         relative = ("G", 91.0) in words or (modes.relative and ("G", 90.0) not in words)
         shift = {axis: value / modes.unit for axis, value in machine.origins.shift.items()}
         spelled = dialects.spelled(line, machine.coordinates(), shift, relative=relative)

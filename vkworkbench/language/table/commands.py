@@ -58,6 +58,9 @@ COMMANDS: dict[str, str | tuple[str, str]] = {
     ),
     "rotary-not-read": QT_TRANSLATE_NOOP("Sentences", "Moves of a rotary axis ({letter}) are ignored."),
     "word-not-read": QT_TRANSLATE_NOOP("Sentences", "{letter} words are ignored."),
+    "pecks-not-read": QT_TRANSLATE_NOOP(
+        "Sentences", "The pecks of {name} are ignored. Each hole is drilled in one move."
+    ),
     "repeats-limited": QT_TRANSLATE_NOOP(
         "Sentences", "A cycle with more than {most:n} repeats is read with {most:n} repeats."
     ),

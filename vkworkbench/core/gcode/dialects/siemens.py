@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
+from typing import NamedTuple
 
 _NUMBER = r"([-+]?(?:\d+\.?\d*|\.\d+))"
 # A coordinate or a centre in a distance mode of its own: X=AC(10) is absolute, X=IC(5) is incremental.
@@ -19,6 +20,45 @@ _SHIFT = re.compile(r"((?:N\s*\d+\s*)?)(A?)TRANS\b(?!\s*=)")
 _COORDINATE = re.compile(rf"([XYZ])\s*=?\s*{_NUMBER}")
 # Lines without effect on the tool's path: the tolerance of the control, the end of a swivelled plane, the stock.
 _WITHOUT_EFFECT = re.compile(r"(?:N\s*\d+\s*)?(?:CYCLE832\s*\(.*\)|CYCLE800\s*\(\s*\)|WORKPIECE\s*\(.*\)|STOPRE)")
+
+# A drilling cycle, after MCALL for the end of each later move in X and Y; MCALL alone ends these cycles.
+_CYCLE = re.compile(r"(?:N\s*\d+\s*)?(?:(MCALL)|(?=CYCLE))\s*(?:(CYCLE8[123])\s*\(([^()]*)\))?")
+
+
+class Drilling(NamedTuple):
+    """A drilling cycle of a Siemens control.
+
+    Attributes
+    ----------
+    modal : bool
+        Whether a hole is drilled after each later move in X and Y (MCALL), not only at the tool's position.
+    name : str
+        Name of the cycle; empty for an MCALL that ends a modal cycle.
+    heights : tuple of float
+        The height to which the tool descends at rapid, the bottom, and the height after the cycle, in the program's
+        unit.
+    """
+
+    modal: bool
+    name: str
+    heights: tuple[float, float, float]
+
+
+def drilling(line: str) -> Drilling | None:
+    """Return the drilling cycle in a line; None if the line contains no cycle that can be read."""
+    found = _CYCLE.fullmatch(line)
+    if found is None:
+        return None
+    if not found[2]:
+        return Drilling(True, "", (0.0, 0.0, 0.0))
+    # The height after the cycle, the reference plane, the clearance above this plane, and the depth, absolute or
+    # below the reference plane.
+    texts = [*found[3].replace(" ", "").split(","), "", "", "", "", ""][:5]
+    if not all(re.fullmatch(_NUMBER, text) for text in texts if text) or not texts[0] or not (texts[3] or texts[4]):
+        return None
+    after, plane, clearance, bottom, depth = (float(text or 0) for text in texts)
+    bottom = bottom if texts[3] else plane - abs(depth)
+    return Drilling(found[1] is not None, found[2], (plane + clearance, bottom, after))
 
 
 def spelled(line: str, place: dict[str, float], shift: dict[str, float], *, relative: bool) -> str | None:

@@ -42,7 +42,7 @@ def cartesian(machine: Machine, words: list[tuple[str, float]]) -> list[tuple[st
     here = machine.here()
     if not {"I", "J"} <= pole.keys() or not {"X", "Y"} <= here.keys():
         machine.problem(Message("unknown-code", name=repr(f"G{code:.0f}")))
-        return [word for word in words if word[0] not in "GRH"]
+        return [(letter, value) for letter, value in rest if letter != "G" or value in (_ABSOLUTE, _RELATIVE)]
     centre = complex(pole["I"], pole["J"])
     arm = complex(here["X"], here["Y"]) - centre
     radius, angle, turns = abs(arm), degrees(phase(arm)), 1

@@ -9,7 +9,7 @@ Each module contains a table of handlers for the G-codes of one subject.
 from __future__ import annotations
 
 from vkworkbench.core.gcode.blocks import whole
-from vkworkbench.core.gcode.dialects import HEIDENHAIN
+from vkworkbench.core.gcode.dialects import HEIDENHAIN, Drilling
 from vkworkbench.core.gcode.interpreter import (
     compensation,
     cycles,
@@ -29,6 +29,7 @@ from vkworkbench.core.gcode.moves.commands import Commands
 from vkworkbench.language import Message
 
 _MOST_CODES = 1000
+_DEEP = "CYCLE83"  # Siemens' cycle that drills a hole in several pecks
 # Words that controls process before the other words of a line: units, modes, planes and work offsets.
 _FIRST = frozenset(("G", code / 10) for code in codes.UNITS | codes.KEPT | codes.OFFSETS)
 _HANDLERS: dict[int, Handler] = {
@@ -84,8 +85,29 @@ class Interpreter(Machine):
         if both and not (line.apart or letters.isdisjoint("XYZ")):
             self.problem(Message("two-motions"))
         move_of(self, line)
+        if self.drilling is not None and not (line.apart or letters.isdisjoint("XY")):
+            self._drill(self.drilling)
         self.ended |= ("M", 2.0) in words or ("M", 30.0) in words
         return returns
+
+    def drill(self, number: int, cycle: Drilling) -> None:
+        """Drill a hole with a cycle of a Siemens control, or begin or end a modal cycle."""
+        self.number = number
+        if cycle.name == _DEEP:
+            self.problem(Message("pecks-not-read", name=cycle.name))
+        if cycle.modal:
+            self.drilling = cycle if cycle.name else None
+        else:
+            self._drill(cycle)
+
+    def _drill(self, cycle: Drilling) -> None:
+        """Add the moves of a Siemens control's cycle, which leaves the modal state unchanged."""
+        motion, distance = self.motion, self.modes.distance
+        for mode, height in zip((codes.RAPID, codes.FEED, codes.RAPID), cycle.heights):
+            words = [("G", mode / 10), ("G", codes.ABSOLUTE / 10), ("Z", height)]
+            self.block(self.number, words, {"G", "Z"}, deleted=self.deleted)
+        self.block(self.number, [("G", distance / 10)], {"G"}, deleted=self.deleted)
+        self.motion = motion
 
     def _in_one_distance_mode(self, words: list[tuple[str, float]]) -> list[tuple[str, float]]:
         """Return the words of a line, with all coordinates converted to the distance mode at the line's end."""

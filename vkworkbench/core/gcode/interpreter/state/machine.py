@@ -6,7 +6,7 @@ from __future__ import annotations
 from array import array
 from typing import Callable
 
-from vkworkbench.core.gcode.dialects import Clues, Dialect
+from vkworkbench.core.gcode.dialects import Clues, Dialect, Drilling
 from vkworkbench.core.gcode.interpreter.state.line import Line
 from vkworkbench.core.gcode.interpreter.state.maps import Map, Maps
 from vkworkbench.core.gcode.interpreter.state.modes import Modes
@@ -107,6 +107,8 @@ class Machine:
         Whether X words are distances from the origin, and Y words are angles (G16).
     pole : dict
         The centre that is in force for later arcs, mm; empty unless `Dialect.has_pole`.
+    drilling : Drilling or None
+        The cycle of a Siemens control that drills a hole after each move in X and Y (MCALL); None without a cycle.
 
     Parameters
     ----------
@@ -156,6 +158,7 @@ class Machine:
         self.angles: dict[str, float] = {}
         self.polar = False
         self.pole: dict[str, float] = {}
+        self.drilling: Drilling | None = None
 
     def problem(self, what: Message, line: int | None = None) -> None:
         """Store a message on a part of the program that is not read, with its line (by default the current line)."""
@@ -177,6 +180,7 @@ class Machine:
             and not (self.origins.used or self.is_mapped or self.polar)
             and self.compensation is None
             and self.corner is None
+            and self.drilling is None
             and self.unnamed is None
             and self.later is None
             and self.dialect.codes is None
