@@ -120,6 +120,12 @@ class Tool:
         """The known sizes of flutes, shank and holder, mm, by their names."""
         return {name: size for name in _BODIES if (size := getattr(self, name)) is not None}
 
+    def scaled(self, factor: float) -> Tool:
+        """Return the tool with all its lengths multiplied by a factor."""
+        sizes = self.body_sizes
+        sizes.update(diameter=self.diameter, corner_radius=self.corner_radius, tip_diameter=self.tip_diameter)
+        return Tool(self.shape, tip_angle=self.tip_angle, **{name: factor * size for name, size in sizes.items()})
+
     @property
     def rim(self) -> float:
         """Height above the tip at which the tool reaches its full radius, mm."""

@@ -252,11 +252,7 @@ def label_of(section: Section, path: Path) -> str:
 
 def _scaled_to_millimetres(section: Section) -> Section:
     """Return a section with its tool scaled down by 25.4, for programs whose inches were read as millimetres."""
-    tool = section.tool
-    if tool is None:
-        return section
-    small = replace(tool, diameter=tool.diameter / INCH, corner_radius=tool.corner_radius / INCH)
-    return replace(section, tool=small)
+    return section if section.tool is None else replace(section, tool=section.tool.scaled(1 / INCH))
 
 
 def _rotary(lines: tuple[int, ...], section: Section) -> Message | None:

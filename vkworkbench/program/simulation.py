@@ -159,9 +159,7 @@ def _tool_of(section: Section, given: Tool | Mapping[int, Tool] | None, inches: 
     if given and section.number in given:
         return given[section.number]
     tool = section.tool
-    if tool is None or not inches:
-        return tool
-    return replace(tool, diameter=INCH * tool.diameter, corner_radius=INCH * tool.corner_radius)
+    return tool.scaled(INCH) if tool is not None and inches else tool
 
 
 def _missing(tool: Tool, holder: dict[str, float]) -> dict[str, float]:

@@ -55,6 +55,21 @@ def test_crash_has_the_number_of_its_program_line(program):
     assert not done.at(0).zbuffer.chip_volume and done.zbuffer.chip_volume > 0
 
 
+@pytest.mark.parametrize(
+    "unit, sizes", [("G21", "flute length 3, shank 8 mm, stick-out=20"), ("G20", "LOC=.118, shank dia .315, OAL: .787")]
+)
+def test_flutes_and_shank_in_a_comment_are_checked(tmp_path, unit, sizes):
+    """The flutes are 3 mm long, and the shank is wider than the flutes. The slot is 5 mm deep."""
+    inch = 25.4 if unit == "G20" else 1.0
+    words = [("G0", "Z", 5), ("G1", "Z", -5), ("G1", "X", 40), ("G0", "Z", 5)]
+    moves = "".join(f"{code} {axis}{at / inch:.4f}\n" for code, axis, at in words)
+    path = tmp_path / "slot.nc"
+    path.write_text(f"(T1 D={6 / inch:.4f} end mill, {sizes})\n{unit} F10\nT1 M6\nG0 X0 Y0\n{moves}M30\n")
+    found = vkworkbench.simulate(path, stock=Stock((-10, -10, -20), (50, 10, 0))).facts()
+    collisions = [(one.body, one.source.command, round(one.depth, 1)) for one in found.job.collisions]
+    assert collisions == [("shank", 6, 2.0), ("flutes", 7, 2.0)]
+
+
 @pytest.mark.long
 def test_stock_of_a_program_is_a_box_around_its_cuts(program):
     """Z0 is the upper face: the cuts are below Z0, and most rapids are above."""

@@ -125,6 +125,16 @@ _FOR_TAP = re.compile(r"(?<=drill)\b.*\bfor\b.*\btap\b.*", re.IGNORECASE)
 _NEXT_TO_NUMBER = re.compile(rf"[\s:=-]*(?P<size>{_FRACTION})(?P<across>){_UNIT}(?!\s*-\s*\d)", re.IGNORECASE)
 _IS_TOOL = re.compile(rf"(?<![a-zà-ÿа-я])(?:{_MILLING_WORD})|{_UNSPACED}", re.IGNORECASE)
 _CORNER = re.compile(rf"\b(?:CR|corner radius|torus_radius)\s*[=:]\s*(?P<size>{_NUMBER})", re.IGNORECASE)
+# Sizes of the parts of a tool: flute length 8, LOC=8, stick-out 20 mm, OAL: 20, shank dia 6. Without "=" or ":", the number
+# after LOC or OAL is possibly another length, as in 1.25 LOC 3 OAL.
+_PARTS = {
+    part: re.compile(rf"(?<![a-z])(?:{words})\s*{_SIZE}{_UNIT}", re.IGNORECASE)
+    for part, words in (
+        ("cutting_edge_height", r"(?:flute length|length of cut|cutting edge height)\s*[:=]?|loc\s*[:=]"),
+        ("length", r"stick-?out\s*[:=]?|(?:oal|overall length)\s*[:=]"),
+        ("shank_diameter", r"shank(?: dia(?:meter|m)?\b\.?)?\s*[:=]?"),
+    )
+}
 _TAPER = re.compile(rf"\bTAPER\s*=\s*(?P<size>{_NUMBER})\s*deg", re.IGNORECASE)
 _ANGLE = re.compile(rf"(?<![\d.,]){_SIZE}\s*(?:°|deg(?:ree)?s?\b)", re.IGNORECASE)
 # A common tip angle directly before the word for a pointed tool is not a diameter, so 90 V-BIT is not 90 mm wide.
@@ -315,7 +325,7 @@ def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> T
     """Return the tool that a comment describes, without a corner radius or a tip angle that is impossible."""
     unit = INCH if inches else 1.0
     kind = size.groupdict().get("kind")
-    shape = _shape(comment)
+    shape, sizes = _shape(comment), _part_sizes(comment, inches)
     corner = _CORNER.search(comment)
     rounding = float(corner["size"].replace(",", ".")) * unit if corner else 0.0
     if kind and size["second"] and kind.upper() == "MILL":
@@ -324,10 +334,17 @@ def _tool(comment: str, size: re.Match[str], diameter: float, inches: bool) -> T
         shape = {"DRILL": "drill", "CHAMFER": "vbit"}.get(kind.upper(), shape)
     if shape in ("endmill", "bullnose") and 0 < rounding <= diameter / 2:
         ball = rounding > 0.499 * diameter
-        return Tool("ballend", diameter) if ball else Tool("bullnose", diameter, corner_radius=rounding)
+        return Tool("ballend", diameter, **sizes) if ball else Tool("bullnose", diameter, rounding, **sizes)
     if shape in ("vbit", "drill"):
-        return Tool(shape, diameter, tip_angle=_tip_angle(comment))
-    return Tool("endmill" if shape == "bullnose" else shape, diameter)
+        return Tool(shape, diameter, tip_angle=_tip_angle(comment), **sizes)
+    return Tool("endmill" if shape == "bullnose" else shape, diameter, **sizes)
+
+
+def _part_sizes(comment: str, inches: bool) -> dict[str, float]:
+    """Return the sizes of flutes, shank and stick-out in a comment, mm, by their names."""
+    found = {name: pattern.search(comment) for name, pattern in _PARTS.items()}
+    sizes = {name: _millimetres(size, inches) for name, size in found.items() if size}
+    return {name: size for name, size in sizes.items() if 0 < size <= _LARGEST}
 
 
 def _shape(comment: str) -> str:
