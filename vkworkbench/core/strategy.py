@@ -54,19 +54,19 @@ class Strategy(str, enum.Enum):
 
     ZIGZAG = (
         "zigzag", QT_TRANSLATE_NOOP("Strategy", "zigzag"), Family.ROWS, "#0072d8",
-        "Long moves alternate between two opposite directions, short moves link them.",
+        "Long moves alternate between two opposite directions; short moves link them.",
     )  # fmt: skip
     ONE_WAY = (
         "one-way", QT_TRANSLATE_NOOP("Strategy", "one-way"), Family.ROWS, "#007890",
-        "The same rows all cut in one direction, with rapid or lifted returns.",
+        "Parallel rows are all cut in the same direction, with rapid or lifted returns.",
     )  # fmt: skip
     CONTOUR_PARALLEL = (
         "contour-parallel", QT_TRANSLATE_NOOP("Strategy", "contour-parallel"), Family.AROUND, "#067e00",
-        "Two or more nested offset loops, one sense of rotation.",
+        "Two or more nested loops, offset from each other, with one sense of rotation.",
     )  # fmt: skip
     PROFILE = (
         "profile", QT_TRANSLATE_NOOP("Strategy", "profile"), Family.AROUND, "#ba5a06",
-        "One closed or open contour per depth, repeated at other depths at most.",
+        "One closed or open contour, which can be repeated at other depths.",
     )  # fmt: skip
     WATERLINE = (
         "waterline", QT_TRANSLATE_NOOP("Strategy", "waterline"), Family.AROUND, "#127854",
@@ -78,7 +78,7 @@ class Strategy(str, enum.Enum):
     )  # fmt: skip
     HELIX = (
         "helix", QT_TRANSLATE_NOOP("Strategy", "helix"), Family.AROUND, "#4e7e30",
-        "Winding that descends or climbs at a constant radius (bore, thread, ramp).",
+        "A winding that descends or climbs at a constant radius (bore, thread, ramp).",
     )  # fmt: skip
     ADAPTIVE = (
         "adaptive", QT_TRANSLATE_NOOP("Strategy", "adaptive"), Family.AROUND, "#e4243c",
@@ -90,15 +90,15 @@ class Strategy(str, enum.Enum):
     )  # fmt: skip
     ENGRAVING = (
         "engraving", QT_TRANSLATE_NOOP("Strategy", "engraving"), Family.STROKES, "#d22aa2",
-        "Many short open or closed strokes, no filling pattern.",
+        "Many short open or closed strokes that do not fill an area.",
     )  # fmt: skip
     MIXED = (
         "mixed", QT_TRANSLATE_NOOP("Strategy", "mixed"), Family.NONE, "#7e607e",
-        "Several of these, each in its own span.",
+        "Several strategies, each in its own span of the toolpath.",
     )  # fmt: skip
     UNKNOWN = (
         "unknown", QT_TRANSLATE_NOOP("Strategy", "unknown"), Family.NONE, "#727272",
-        "None can be defended.",
+        "No strategy can be recognised reliably.",
     )  # fmt: skip
     EMPTY = (
         "empty", QT_TRANSLATE_NOOP("Strategy", "empty"), Family.NONE, "#727272",
