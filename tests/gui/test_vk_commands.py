@@ -130,15 +130,15 @@ def test_message_if_there_is_nothing_to_analyze(window):
 def test_document_closed_during_its_analysis_shows_no_message(example_path, window, monkeypatch, after):
     document = FreeCAD.openDocument(str(example_path))
     window.activate("VkWorkbench")
-    show, shown = progress._Progress.show, []
+    show, shown = progress._show, []
 
-    def close_meanwhile(self, done, *of):
+    def close_meanwhile(dialog, done, *of):
         shown.append(done)
         if done == after:
             FreeCAD.closeDocument(document.Name)
-        show(self, done, *of)
+        show(dialog, done, *of)
 
-    monkeypatch.setattr(progress._Progress, "show", close_meanwhile)
+    monkeypatch.setattr(progress, "_show", close_meanwhile)
     window.main.statusBar().clearMessage()
     Gui.runCommand("Vk_Analyze")
     window.settle()

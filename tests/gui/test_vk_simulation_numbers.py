@@ -29,7 +29,7 @@ from vkworkbench.gui.simulation import coloring, exports
 from vkworkbench.gui.simulation.faults import Fault, KnownFaults, differences, judge
 from vkworkbench.gui.simulation.moment import Clock
 from vkworkbench.gui.simulation.part_view import round_length
-from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulating
+from vkworkbench.gui.simulation.simulating import Findings, Simulating
 from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.language import Message, Unusable
 
@@ -51,7 +51,7 @@ def simulated(job, rays=240 * 160, memory=1e9, seconds=1e3):
     """Return all results of simulating a job, and the error at the end."""
     found = []
     try:
-        found.extend(Simulating(job, rays, Budgets(memory, seconds), Speed())(lambda: None))
+        found.extend(Simulating(job, rays, memory, seconds, Speed())(lambda: None))
     except Unusable as error:
         return found, error
     return found, None

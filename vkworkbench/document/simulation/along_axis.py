@@ -96,23 +96,3 @@ def zbuffer_along_axis(job: SimulatedJob, memory_budget: float, going_on: Callab
             if refused.size is None:
                 raise
             view = view.of_size(*refused.size)
-
-
-class OnceAlongAxis:
-    """Returns the simulation of a job along its tool axis. The job is simulated at the first call only.
-
-    Parameters
-    ----------
-    job : SimulatedJob
-    memory_budget : float
-        Upper bound for the memory, bytes.
-    """
-
-    def __init__(self, job: SimulatedJob, memory_budget: float) -> None:
-        self._arguments = job, memory_budget
-        self._done: AlongAxis | None = None
-
-    def __call__(self) -> AlongAxis:
-        if self._done is None:
-            self._done = simulate_along_axis(*self._arguments)
-        return self._done

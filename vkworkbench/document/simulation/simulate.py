@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import lru_cache, partial
 
 import FreeCAD
 import Mesh
@@ -14,7 +15,7 @@ from vkworkbench import preferences
 from vkworkbench.core import Cylinder, Solid, Stock, View, ZBuffer, simulate_job
 from vkworkbench.core import Mesh as MeshStock
 from vkworkbench.core.zbuffer import TOLERANCE, OverBudget, trajectory_table
-from vkworkbench.document.simulation.along_axis import OnceAlongAxis, zbuffer_along_axis
+from vkworkbench.document.simulation.along_axis import AlongAxis, simulate_along_axis, zbuffer_along_axis
 from vkworkbench.document.simulation.copy import read_job
 from vkworkbench.document.simulation.job import SimulatedJob, SimulatedOperation
 from vkworkbench.document.simulation.solid import add_mesh, mesh_of, stock_after
@@ -135,13 +136,17 @@ def simulate_read(
 ) -> Simulation:
     """Simulate a job that was read; see :func:`simulate`. Any thread may call this function, as it needs no FreeCAD."""
     zbuffer = simulate_job(job.cuts, stock=job.stock, view=view, memory_budget=memory_budget, going_on=going_on)
-    return Simulation(job, zbuffer, OnceAlongAxis(job, memory_budget))
+    return _simulation(job, zbuffer, memory_budget)
 
 
 def simulate_solid(what, going_on: Callable[[float], None]) -> Simulation:
     """Simulate operations along the tool axis only, to get the part as a solid; see :func:`simulate`."""
     job, budget = read_job(what), preferences.read().memory_budget_bytes
-    return Simulation(job, zbuffer_along_axis(job, budget, going_on), OnceAlongAxis(job, budget))
+    return _simulation(job, zbuffer_along_axis(job, budget, going_on), budget)
+
+
+def _simulation(job: SimulatedJob, zbuffer: ZBuffer, memory_budget: float) -> Simulation:
+    return Simulation(job, zbuffer, lru_cache(partial(simulate_along_axis, job, memory_budget)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,13 +158,13 @@ class Simulation(SimulatedPart):
     job : SimulatedJob
     zbuffer : ZBuffer
         Depth of every pixel and the trajectory that cut it, dexels and traces.
-    along_axis : OnceAlongAxis
-        The simulation along the tool axis, from which `facts` computes its results.
+    along_axis : callable
+        Returns the simulation along the tool axis, from which `facts` computes its results; computed at the first call.
     """
 
     job: SimulatedJob
     zbuffer: ZBuffer
-    along_axis: OnceAlongAxis
+    along_axis: Callable[[], AlongAxis]
 
     def __repr__(self) -> str:
         return f"<Simulation of {how_many(len(self.job.operations), 'operation')}, {self.step} of {self.trajectories} trajectories>"

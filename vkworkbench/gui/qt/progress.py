@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 
 import FreeCADGui as Gui
 
@@ -20,66 +21,37 @@ _WIDTH = 400  # px; if the width changed with every label, FreeCAD would redraw 
 
 
 def analyze(what) -> Report:
-    """Call ``vkworkbench.analyze`` and show its progress.
-
-    Raises
-    ------
-    Cancelled
-        If the user pressed Esc or Cancel.
-    """
+    """Call ``vkworkbench.analyze`` and show its progress. Raise `Cancelled` if the user pressed Esc or Cancel."""
     note_renderer()
     title, text = translate("Vk_Analyze", "Analyze Toolpaths"), translate("Vk_Analyze", "Reading the operations…")
-    progress = _Progress(title, text, Gui.getMainWindow())
-    try:
-        return vkworkbench.analyze(what, progress=progress.show, cancelled=progress.cancelled)
-    finally:
-        progress.close()
+    with _dialog(title, text, Gui.getMainWindow()) as dialog:
+        return vkworkbench.analyze(what, progress=partial(_show, dialog), cancelled=partial(_is_cancelled, dialog))
 
 
 def calibrate(parent: QWidget) -> None:
-    """Call ``calibration.calibrate`` and show its progress.
-
-    Raises
-    ------
-    Cancelled
-        If the user pressed Esc or Cancel.
-    OSError
-        If the user data folder cannot be written.
-    """
+    """Call ``calibration.calibrate`` and show its progress. Raise `Cancelled` if the user pressed Esc or Cancel."""
     from vkworkbench.document.computer import calibration  # imported here, because the module loads numpy
 
     text = translate("Vk_Analyze", "Measuring how fast this computer simulates…")
-    progress = _Progress(translate("VkPreferences", "Calibrate"), text, parent)
-    try:
+    with _dialog(translate("VkPreferences", "Calibrate"), text, parent) as dialog:
         note_renderer(again=True)
-        calibration.calibrate(progress.going_on)
-    finally:
-        progress.close()
+        calibration.calibrate(partial(_go_on, dialog))
 
 
 @contextmanager
 def simulating(title: str, text: str) -> Iterator[Callable[[float], None]]:
     """Show the progress of a simulation; yield the function that the simulation calls with its completed share.
 
-    Raises
-    ------
-    Cancelled
-        If the user pressed Esc or Cancel.
+    `Cancelled` is raised if the user pressed Esc or Cancel.
     """
-    dialog = dialog_of(title, text, Gui.getMainWindow(), delay=_DELAY)
-    dialog.setMaximum(100)
+    with _dialog(title, text, Gui.getMainWindow()) as dialog:
+        dialog.setMaximum(100)
 
-    def going_on(share: float) -> None:
-        dialog.setValue(min(99, int(100 * share)))  # the value 100 would close the dialog too early
-        QApplication.processEvents(QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents)
-        if dialog.wasCanceled():
-            raise Cancelled("the simulation was cancelled; nothing has been changed")
+        def going_on(share: float) -> None:
+            dialog.setValue(min(99, int(100 * share)))  # the value 100 would close the dialog too early
+            _go_on(dialog)
 
-    try:
         yield going_on
-    finally:
-        dialog.close()
-        dialog.deleteLater()
 
 
 def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDialog:
@@ -95,30 +67,32 @@ def dialog_of(title: str, text: str, parent: QWidget, delay: int) -> QProgressDi
     return dialog
 
 
-class _Progress:
-    """A dialog that shows a text, and later the label of the operation that is being analysed."""
+@contextmanager
+def _dialog(title: str, text: str, parent: QWidget) -> Iterator[QProgressDialog]:
+    """Show a progress dialog during the context."""
+    dialog = dialog_of(title, text, parent, delay=_DELAY)
+    dialog.setMinimumWidth(_WIDTH)
+    dialog.setMaximum(0)  # the dialog shows that the duration is unknown
+    dialog.setValue(0)
+    try:
+        yield dialog
+    finally:
+        dialog.close()
+        dialog.deleteLater()
 
-    def __init__(self, title: str, text: str, parent: QWidget) -> None:
-        self._dialog = dialog_of(title, text, parent, delay=_DELAY)
-        self._dialog.setMinimumWidth(_WIDTH)
-        self._dialog.setMaximum(0)  # the dialog shows that the duration is unknown
-        self._dialog.setValue(0)
 
-    def close(self) -> None:
-        self._dialog.close()
-        self._dialog.deleteLater()
+def _show(dialog: QProgressDialog, done: int, count: int, label: str) -> None:
+    dialog.setMaximum(count)
+    dialog.setLabelText(label)
+    dialog.setValue(done)
 
-    def show(self, done: int, count: int, label: str) -> None:
-        self._dialog.setMaximum(count)
-        self._dialog.setLabelText(label)
-        self._dialog.setValue(done)
 
-    def cancelled(self) -> bool:
-        # The dialog does not block FreeCAD's window before it is visible: until then, leave clicks unhandled.
-        waiting = QEventLoop.AllEvents if self._dialog.isVisible() else QEventLoop.ExcludeUserInputEvents
-        QApplication.processEvents(waiting)
-        return self._dialog.wasCanceled()
+def _is_cancelled(dialog: QProgressDialog) -> bool:
+    # The dialog does not block FreeCAD's window before it is visible: until then, leave clicks unhandled.
+    QApplication.processEvents(QEventLoop.AllEvents if dialog.isVisible() else QEventLoop.ExcludeUserInputEvents)
+    return dialog.wasCanceled()
 
-    def going_on(self) -> None:
-        if self.cancelled():
-            raise Cancelled("given up")
+
+def _go_on(dialog: QProgressDialog) -> None:
+    if _is_cancelled(dialog):
+        raise Cancelled("given up")

@@ -25,7 +25,7 @@ from vkworkbench.gui.simulation.measuring import Measuring
 from vkworkbench.gui.simulation.moment import Clock, Moment
 from vkworkbench.gui.simulation.part_view import PartView, Surface
 from vkworkbench.gui.simulation.pictures import Drawing, Pictures
-from vkworkbench.gui.simulation.simulating import Budgets, Findings, Simulated, Simulating, detail_view, simulate_detail
+from vkworkbench.gui.simulation.simulating import Findings, Simulated, Simulating, detail_view, simulate_detail
 from vkworkbench.gui.simulation.time_line import Block, TimeLine
 from vkworkbench.gui.simulation.widgets import StateLine
 
@@ -166,8 +166,8 @@ class Player(QWidget):
     def simulate(self) -> None:
         """Simulate the job: first coarsely, then with as many rays as the image has pixels."""
         chosen, view = preferences.read(), self.view.view
-        budgets = Budgets(chosen.memory_budget_bytes, chosen.time_budget)
-        self._simulating = Simulating(self.job, view.width * view.height, budgets, known_speed())
+        rays, memory = view.width * view.height, chosen.memory_budget_bytes
+        self._simulating = Simulating(self.job, rays, memory, chosen.time_budget, known_speed())
         self._work.start("", self._simulating, self._take, self._ended)
 
     def end(self) -> None:
@@ -193,7 +193,8 @@ class Player(QWidget):
         view = detail_view(self.view.frame, self.job, shown.frame.pixel)
         if view is not None:
             memory = preferences.read().memory_budget_bytes - done.simulation.zbuffer.peak.bytes()
-            self._detailing.start("", simulate_detail(self.job, view, memory), self._take_detail, self._show_error)
+            work = partial(simulate_detail, self.job, view, memory)
+            self._detailing.start("", work, self._take_detail, self._show_error)
 
     def _take_detail(self, done: Simulation) -> None:
         self.drawing.detail = done

@@ -77,41 +77,18 @@ class Findings:
         return None if model is None else deviations(self.along_axis.zbuffer, model)
 
 
-class Budgets(NamedTuple):
-    """Upper bounds for the memory, bytes, and for the computing time, s, of a simulation."""
-
-    memory: float
-    time: float
-
-
 class Simulating:
     """Simulates a job first coarsely, then finely, and then checks it. A `Background` calls this object in its thread.
 
-    Parameters
-    ----------
-    job : SimulatedJob
-    rays : int
-        Number of rays of the finest image.
-    budgets : Budgets
-        Upper bounds for the finest simulation.
-    speed : Speed
-        Speed of this computer.
-
-    Attributes
-    ----------
-    share : float
-        Completed share of the running simulation, 0 to 1.
-    checks : bool
-        Whether the running simulation belongs to the check.
-    expected : Estimate or None
-        The expected cost of the finest simulation; None until it is known.
+    `rays` is the number of rays of the finest image, and `memory` and `seconds` are the budgets of the finest
+    simulation, bytes and s.
     """
 
-    def __init__(self, job: SimulatedJob, rays: int, budgets: Budgets, speed: Speed) -> None:
-        self.job, self.budgets, self.speed = job, budgets, speed
-        self._rays = rays
-        self.share, self.checks = 0.0, False
-        self.expected: Estimate | None = None
+    def __init__(self, job: SimulatedJob, rays: int, memory: float, seconds: float, speed: Speed) -> None:
+        self.job, self._rays, self._memory, self._seconds, self._speed = job, rays, memory, seconds, speed
+        self.share = 0.0  # completed share of the running simulation, 0 to 1
+        self.checks = False  # whether the running simulation belongs to the check
+        self.expected: Estimate | None = None  # the expected cost of the finest simulation; None until it is known
         self._began = time.perf_counter()
 
     def __call__(self, going_on: Callable[[], None]) -> Iterator[Simulated | Findings]:
@@ -121,11 +98,11 @@ class Simulating:
         """
         yield self._simulate(self._view(_COARSE * self._rays), False, going_on)
         view = finest = self._view(self._rays)
-        found = estimate_job(self.job.cuts, stock=self.job.stock, view=view, speed=self.speed)
+        found = estimate_job(self.job.cuts, stock=self.job.stock, view=view, speed=self._speed)
         going_on()
-        in_time = found.seconds <= self.budgets.time
+        in_time = found.seconds <= self._seconds
         if not in_time:
-            view = best_resolution([found], seconds=self.budgets.time).view
+            view = best_resolution([found], seconds=self._seconds).view
         self.expected = found
         done = None
         while done is None and view is not None:
@@ -136,9 +113,9 @@ class Simulating:
         if done is not None:
             yield done
             self.checks = True
-            yield self._check(self.budgets.memory - done.simulation.zbuffer.peak.bytes(), going_on)
+            yield self._check(self._memory - done.simulation.zbuffer.peak.bytes(), going_on)
         if not in_time:
-            raise Unusable(Message("picture-in-time", allowed=self.budgets.time))
+            raise Unusable(Message("picture-in-time", allowed=self._seconds))
 
     def _view(self, rays: float) -> View:
         """Return a view of the whole stock from above, with about this number of rays."""
@@ -147,7 +124,7 @@ class Simulating:
         return View(ABOVE, *(max(1, round(float(side / pixel))) for side in (width, depth)))
 
     def _simulate(self, view: View, is_finest: bool, going_on: Callable[[], None]) -> Simulated:
-        done = simulate_read(self.job, view, self.budgets.memory, self._reported(going_on))
+        done = simulate_read(self.job, view, self._memory, self._reported(going_on))
         zbuffer = done.zbuffer
         zbuffer.surface.prepare()  # compute the surface in this thread, because Qt's main thread would take long
         model = self.job.model if is_finest else None
@@ -223,14 +200,8 @@ def detail_view(frame: Frame, job: SimulatedJob, pixel: float) -> View | None:
     return View(ABOVE, width, height, finer, tuple(offset.tolist()))
 
 
-def simulate_detail(
-    job: SimulatedJob, view: View, memory: float
-) -> Callable[[Callable[[], None]], Iterator[Simulation]]:
-    """Return a function that simulates a detail in the thread of a `Background`."""
-
-    def work(going_on: Callable[[], None]) -> Iterator[Simulation]:
-        done = simulate_read(job, view, memory, lambda _: going_on())
-        done.zbuffer.surface.prepare()
-        yield done
-
-    return work
+def simulate_detail(job: SimulatedJob, view: View, memory: float, going_on: Callable[[], None]) -> Iterator[Simulation]:
+    """Yield the simulation of a detail, in the thread of a `Background`."""
+    done = simulate_read(job, view, memory, lambda _: going_on())
+    done.zbuffer.surface.prepare()
+    yield done
