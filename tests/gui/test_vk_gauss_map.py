@@ -405,7 +405,8 @@ def test_plots_are_at_least_80_pixels_high(view, opened, window):
 def test_wheel_zooms_and_mouse_moves_a_plot(view, window):
     window.settle()  # wait for the layout, which would otherwise move the plot under the mouse during the test
     canvas, plot, pictures = view.canvas, view.canvas.figure.path, [view.picture()]
-    before, whole = plot.window, [np.array([one.lower, one.upper]) for one in view.canvas.figure.zoomable]
+    plots = canvas.figure.path, canvas.figure.graph
+    before, whole = plot.window, [np.array([one.lower, one.upper]) for one in plots]
     at = plot.place.center().toPoint()
     under = plot.data(QtCore.QPointF(at))
     for _ in range(3):

@@ -464,7 +464,7 @@ def test_failed_export_shows_a_message(panel, window, tmp_path):
 
     folder = tmp_path / "results.csv"
     folder.mkdir()
-    from vkworkbench.gui.results import export as module
+    from vkworkbench.gui.qt import saving as module
 
     name, module.QFileDialog.getSaveFileName = module.QFileDialog.getSaveFileName, lambda *what: (str(folder), "")
     try:

@@ -13,10 +13,9 @@ from vkworkbench.document.job.operations import has_toolpath, job_of, kind
 from vkworkbench.document.job.previous import possible_previous_jobs, previous_job, set_previous_job
 from vkworkbench.document.simulation.simulate import Simulation, simulate_solid
 from vkworkbench.gui.qt.document_command import DocumentCommand
-from vkworkbench.gui.qt.names import QFileDialog
 from vkworkbench.gui.qt.plain_text import choose, inform, offer, show_status
 from vkworkbench.gui.qt.progress import simulating
-from vkworkbench.gui.qt.saving import proposed, with_suffix
+from vkworkbench.gui.qt.saving import ask_path
 from vkworkbench.gui.qt.sentences import sentence
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 from vkworkbench.gui.simulation.exports import write_stl
@@ -167,9 +166,8 @@ class SaveStlCommand(JobCommand):
     tooltip = QT_TRANSLATE_NOOP("Vk_SaveStl", "Simulates the job, and saves the part that it leaves as an STL file.")
 
     def run(self, job, selected: list) -> None:
-        window, default = Gui.getMainWindow(), proposed(job.Document, f"{job.Document.Name}.stl")
-        path, _ = QFileDialog.getSaveFileName(window, self._title, default, "STL (*.stl)")
-        path = with_suffix(path, ".stl")
+        window = Gui.getMainWindow()
+        path = ask_path(window, self._title, job.Document, ".stl")
         done = _simulated(job, self._title) if path else None
         if done is not None:
             write_stl(done, path, self._title, window)

@@ -43,7 +43,7 @@ from vkworkbench.gui.qt.names import (
     single_shot,
 )  # fmt: skip
 from vkworkbench.gui.qt.plain_text import WholeText, as_plain, shortened, warn
-from vkworkbench.gui.qt.saving import proposed
+from vkworkbench.gui.qt.saving import folder_of
 from vkworkbench.gui.qt.sentences import sentence, strategy_name, user
 from vkworkbench.gui.qt.text import explain, translate
 from vkworkbench.language import Message, Unusable
@@ -338,7 +338,7 @@ class GaussMapDock(QDockWidget):
         document = FreeCAD.listDocuments()[self._shown[0]]
         name = "".join("_" if c in _NOT_IN_NAMES else c for c in self._label)
         title, forms = translate("Vk_GaussMap", "Save Picture"), "PNG (*.png);;SVG (*.svg)"
-        path, chosen = QFileDialog.getSaveFileName(self, title, proposed(document, f"{name}.png"), forms)
+        path, chosen = QFileDialog.getSaveFileName(self, title, str(folder_of(document) / f"{name}.png"), forms)
         if not path:
             return
         if Path(path).suffix.lower() not in (".png", ".svg"):

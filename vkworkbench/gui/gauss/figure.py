@@ -55,13 +55,9 @@ class GaussFigure:
         edge = _EDGE * (high - low)
         self.graph = Plot((1, low - edge), (max(len(self.phi), 2), high + edge), equal=False)
 
-    @property
-    def zoomable(self) -> tuple[Plot, ...]:
-        return self.path, self.graph
-
     def plot_at(self, at: QPointF) -> Plot | None:
         """Return the zoomable plot at a pixel, or None."""
-        return next((plot for plot in self.zoomable if plot.place.contains(at)), None)
+        return next((plot for plot in (self.path, self.graph) if plot.place.contains(at)), None)
 
     @staticmethod
     def min_height(text: QFontMetrics) -> int:
@@ -78,15 +74,15 @@ class GaussFigure:
         if width > _WIDE * height or height < 2 * self.min_height(text):
             each = (width - 2 * _GAP) / 3.5
             tall = height - below - _GAP - line
-            self.path.put(QRectF(left, top + line, each - left, tall))
-            self.circle.put(QRectF(each + _GAP, top, each, height))
+            self.path.place = QRectF(left, top + line, each - left, tall)
+            self.circle.place = QRectF(each + _GAP, top, each, height)
             tall = height - above - below - line
-            self.graph.put(QRectF(2 * (each + _GAP) + left, top + above, 1.5 * each - left - right, tall))
+            self.graph.place = QRectF(2 * (each + _GAP) + left, top + above, 1.5 * each - left - right, tall)
         else:
             half = height / 2
-            self.path.put(QRectF(left, top + _GAP, width / 2 - left, half - below - _GAP - line))
-            self.circle.put(QRectF(width / 2 + _GAP, top, width / 2 - _GAP, half))
-            self.graph.put(QRectF(left, top + half + above, width - left - right, half - above - below - line))
+            self.path.place = QRectF(left, top + _GAP, width / 2 - left, half - below - _GAP - line)
+            self.circle.place = QRectF(width / 2 + _GAP, top, width / 2 - _GAP, half)
+            self.graph.place = QRectF(left, top + half + above, width - left - right, half - above - below - line)
 
     # The following methods paint the parts that do not depend on the chosen trajectory k.
 
@@ -98,7 +94,7 @@ class GaussFigure:
 
     def _paint_path(self, painter: QPainter, theme: Theme) -> None:
         plot = self.path
-        plot.clipped(painter)
+        plot.clip(painter)
         self._paint_polyline(painter, self.reading.outline, _pen(theme.faint, 0.8))
         self._paint_polyline(painter, self.reading.links, _pen(theme.faint, 0.8, Qt.DotLine))
         self._paint_polyline(painter, self._own, _pen(theme.text, 1.1))
@@ -124,7 +120,7 @@ class GaussFigure:
 
     def _paint_circle(self, painter: QPainter, theme: Theme) -> None:
         plot = self.circle
-        plot.clipped(painter)
+        plot.clip(painter)
         painter.setPen(_pen(theme.faint, 0.6))
         plot.segments(painter, np.array([(-1.6, 0), (0, -1.6)]), np.array([(1.6, 0), (0, 1.6)]))
         painter.setPen(_pen(theme.text, 1.2))
@@ -175,7 +171,7 @@ class GaussFigure:
     def _paint_bounds(self, painter: QPainter, theme: Theme) -> None:
         """Draw the limits of phi as dashed lines, highlighted if phi meets the paper's condition for the strategy."""
         plot = self.graph
-        plot.clipped(painter)
+        plot.clip(painter)
         painter.setPen(
             _pen(self._strong(theme), 2.2, Qt.DashLine) if self.bound else _pen(theme.faint, 1.0, Qt.DashLine)
         )
@@ -243,7 +239,7 @@ class GaussFigure:
 
     def _paint_trail(self, painter: QPainter, theme: Theme) -> None:
         plot, k = self.path, self.k
-        plot.clipped(painter)
+        plot.clip(painter)
         since = max(0, k + 1 - TRAIL)
         painter.setPen(_pen(theme.counter_clockwise, 1.8))
         plot.polyline(painter, self.vertices[since : k + 2])
@@ -261,7 +257,7 @@ class GaussFigure:
 
     def _paint_images(self, painter: QPainter, theme: Theme) -> None:
         plot, k, signature = self.circle, self.k, self.signature
-        plot.clipped(painter)
+        plot.clip(painter)
         since = max(0, k + 1 - TRAIL)
         window = slice(since, k + 1)
         grown = _GROWTH * (np.arange(since, k + 1) - since) / min(len(signature), TRAIL)
@@ -286,7 +282,7 @@ class GaussFigure:
 
     def _paint_now(self, painter: QPainter, theme: Theme) -> None:
         plot, k = self.graph, self.k
-        plot.clipped(painter)
+        plot.clip(painter)
         lower, upper = plot.window
         painter.setPen(_pen(theme.text, 1))
         plot.segments(painter, np.array([(k + 1, lower[1])]), np.array([(k + 1, upper[1])]))

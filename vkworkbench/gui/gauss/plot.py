@@ -35,10 +35,6 @@ class Plot:
         """Show all data."""
         self.lower, self.upper = self._home.copy()
 
-    def put(self, place: QRectF) -> None:
-        """Move the plot to this rectangle."""
-        self.place = place
-
     @property
     def share(self) -> float:
         """Visible share of the data: the larger of the shares along the two axes."""
@@ -109,10 +105,9 @@ class Plot:
             painter.drawLine(QPointF(x - size, y - size), QPointF(x + size, y + size))
             painter.drawLine(QPointF(x - size, y + size), QPointF(x + size, y - size))
 
-    def clipped(self, painter: QPainter) -> QPainter:
+    def clip(self, painter: QPainter) -> None:
         """Limit painting to the plot's rectangle."""
         painter.setClipRect(self.place)
-        return painter
 
     def frame(self, painter: QPainter, x_ticks: list, y_ticks: list, color) -> None:
         """Draw the border, and ticks with labels: (value, text) below and on the left."""

@@ -5,10 +5,19 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from vkworkbench.gui.qt.names import QFileDialog, QWidget
 
-def proposed(document, name: str) -> str:
-    """Return the default path of a file: in the document's folder, or in the home folder if it was never saved."""
-    return str((Path(document.FileName).parent if document.FileName else Path.home()) / name)
+
+def ask_path(parent: QWidget, title: str, document, suffix: str) -> str:
+    """Ask for the path of a file to save, by default with the document's name; empty after a cancelled dialog."""
+    proposed = str(folder_of(document) / (document.Name + suffix))
+    path, _ = QFileDialog.getSaveFileName(parent, title, proposed, f"{suffix[1:].upper()} (*{suffix})")
+    return with_suffix(path, suffix)
+
+
+def folder_of(document) -> Path:
+    """Return the folder of a document, or the home folder if the document was never saved."""
+    return Path(document.FileName).parent if document.FileName else Path.home()
 
 
 def with_suffix(path: str, suffix: str) -> str:

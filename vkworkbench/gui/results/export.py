@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from vkworkbench.gui.qt.names import QFileDialog, QWidget
+from vkworkbench.gui.qt.names import QWidget
 from vkworkbench.gui.qt.plain_text import warn
-from vkworkbench.gui.qt.saving import proposed, with_suffix
+from vkworkbench.gui.qt.saving import ask_path
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.results.columns import Column
 from vkworkbench.gui.results.rows import Row
@@ -16,12 +16,8 @@ from vkworkbench.report import Report, as_cell
 
 def save(report: Report, document, ending: str, parent: QWidget) -> None:
     """Ask for a file name and save a report as ``"csv"`` or ``"json"``."""
-    title, filter_ = {
-        "csv": (translate("Vk_Results", "Export CSV"), "CSV (*.csv)"),
-        "json": (translate("Vk_Results", "Export JSON"), "JSON (*.json)"),
-    }[ending]
-    path, _ = QFileDialog.getSaveFileName(parent, title, proposed(document, f"{document.Name}.{ending}"), filter_)
-    path = with_suffix(path, f".{ending}")
+    title = {"csv": translate("Vk_Results", "Export CSV"), "json": translate("Vk_Results", "Export JSON")}[ending]
+    path = ask_path(parent, title, document, f".{ending}")
     if not path:
         return
     try:

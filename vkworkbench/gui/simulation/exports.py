@@ -18,7 +18,7 @@ from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt import progress
 from vkworkbench.gui.qt.names import QApplication, QEventLoop, QFileDialog, Qt, QWidget
 from vkworkbench.gui.qt.plain_text import show_status, warn
-from vkworkbench.gui.qt.saving import proposed, with_suffix
+from vkworkbench.gui.qt.saving import ask_path, folder_of
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.report import SimulatedPart, as_cell
@@ -30,8 +30,7 @@ _COLUMNS = ("operation", "trajectory", "command", "begin_s", "end_s", "volume_mm
 def save_picture(player) -> None:
     """Save the shown picture to a file that the user chooses."""
     title = translate("Vk_Simulate", "Save Picture")
-    path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".png"), "PNG (*.png)")
-    path = with_suffix(path, ".png")
+    path = ask_path(player, title, _document(player), ".png")
     if path and not player.view.grab().save(path, "PNG"):
         _not_written(player, path)
 
@@ -42,7 +41,7 @@ def save_frames(player) -> None:
     The function waits for the finest simulation before it saves pictures.
     """
     title = translate("Vk_Simulate", "Folder for the Pictures")
-    chosen = QFileDialog.getExistingDirectory(player, title, str(Path(_proposed(player, "")).parent))
+    chosen = QFileDialog.getExistingDirectory(player, title, str(folder_of(_document(player))))
     if not chosen:
         return
     text = translate("Vk_Simulate", "The pictures are saved when the finest picture is ready…")
@@ -109,8 +108,7 @@ def write_frames(player, folder: Path, number: int, going_on: Callable[[int], bo
 def save_part(player) -> None:
     """Save the part at the shown moment as a closed solid, in an STL file that the user chooses."""
     title = translate("Vk_Simulate", "Save Part as STL")
-    path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".stl"), "STL (*.stl)")
-    path = with_suffix(path, ".stl")
+    path = ask_path(player, title, _document(player), ".stl")
     if path:
         with _waiting():
             write_stl(_part(player), path, title, player)
@@ -151,8 +149,7 @@ def _waiting() -> Iterator[None]:
 def save_rates(player) -> None:
     """Save the removed volume and the removal rate of each trajectory to a CSV file that the user chooses."""
     title = translate("Vk_Simulate", "Save Removal Rates")
-    path, _ = QFileDialog.getSaveFileName(player, title, _proposed(player, ".csv"), "CSV (*.csv)")
-    path = with_suffix(path, ".csv")
+    path = ask_path(player, title, _document(player), ".csv")
     if path:
         try:
             write_rates(player, Path(path))
@@ -179,11 +176,6 @@ def write_rates(player, path: Path) -> None:
 
 def _document(player):
     return FreeCAD.getDocument(player.job.operations[0].document)
-
-
-def _proposed(player, suffix: str) -> str:
-    document = _document(player)
-    return proposed(document, document.Name + suffix)
 
 
 def _not_written(player, path: str) -> None:
