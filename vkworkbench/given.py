@@ -27,21 +27,9 @@ def not_negative(number: float) -> bool:
 def number(name: str, given: Any, takes: str, fits: Callable[[float], bool] = lambda _: True) -> float:
     """Return an argument as a float. FreeCAD's quantities and numbers as text are accepted, too.
 
-    Parameters
-    ----------
-    name : str
-        Name of the argument.
-    takes : str
-        Description of the accepted values, such as ``"a positive number of mm"``.
-    fits : callable
-        Function that returns whether a number is accepted. By default, every number is accepted.
-
-    Raises
-    ------
-    ValueError
-        If the number or text is not accepted.
-    TypeError
-        If the type is not accepted.
+    `name` is the name of the argument, and `takes` describes the accepted values, such as ``"a positive number of
+    mm"``. The function `fits` returns whether a number is accepted. A ValueError is raised if the number or text is not
+    accepted, and a TypeError if the type is not accepted.
     """
     return _read(name, given, takes, float, fits)
 

@@ -209,19 +209,9 @@ class Preferences:
     def for_machine(self, given) -> Preferences:
         """Return the preferences with another machine.
 
-        Parameters
-        ----------
-        given : Machine, str, path or None
-            A machine, the name of a typical machine, or a file with the settings that grbl prints (``$$``). Values that
-            are not in the file are the values of the hobby router. If the name is None, the machine in the preferences
-            is kept.
-
-        Raises
-        ------
-        ValueError
-            If a name is neither a typical machine nor a readable file of settings.
-        TypeError
-            If `given` has another type.
+        The machine is a `Machine`, the name of a typical machine, or a file with the settings that grbl prints
+        (``$$``). Values that are not in the file are the values of the hobby router. None keeps the machine in the
+        preferences. A ValueError is raised if a name is neither a typical machine nor a readable file of settings.
         """
         from vkworkbench.core import MACHINES, Machine, machine_of_grbl
         from vkworkbench.given import of_kind

@@ -38,21 +38,11 @@ class WorkerDied(Exception):
 class Worker:
     """A worker process, which calls one function with one argument after the other.
 
-    The worker process ends when the process that started it ends or is killed, even during a call of the function. The
-    worker process also ends when the thread that has started it ends (on Linux only).
-
-    Parameters
-    ----------
-    work : callable
-        Function of one argument. The function, its arguments and its results must be picklable.
-    most_memory : float, optional
-        Memory limit for `work`, bytes. If `work` needs more memory, a `MemoryError` is raised in `work`. The limit is
-        effective only on Linux.
-
-    Raises
-    ------
-    WorkerDied
-        If no Python interpreter was found for the worker process.
+    The function `work`, its arguments and its results must be picklable. If the function needs more memory than
+    `most_memory` bytes, a `MemoryError` is raised in the function; this limit is effective only on Linux. The worker
+    process ends when the process that started it ends or is killed, even during a call of the function. The worker
+    process also ends when the thread that has started it ends (on Linux only). `WorkerDied` is raised if no Python
+    interpreter was found for the worker process.
     """
 
     def __init__(self, work: Callable[[Any], Any], most_memory: float | None = None) -> None:

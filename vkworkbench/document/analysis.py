@@ -43,41 +43,14 @@ def analyze(
     cancelled: Callable[[], bool] | None = None,
     machine=None,
 ) -> Report:
-    """Find the strategy and the lengths of operations, and the cost of simulating them. The document is not changed.
+    """Analyse operations of documents. `vkworkbench.analyze` explains the parameters, the result and the errors.
 
     Without a window, the first analysis also measures the speed of this computer, which takes one to two seconds. An
     operation that was analysed before in this session is only analysed again if the operation, the preferences or the
-    calibration have changed.
+    calibration have changed. An operation that is deleted during the analysis has no row.
 
-    Parameters
-    ----------
-    what : Document, DocumentObject, or iterable of these objects, optional
-        A document (all its jobs and imported toolpaths), a job, or operations; the active document if None.
-    progress : callable, optional
-        Called before each operation with the number of finished operations, the number of all operations, and the
-        operation's label.
-    cancelled : callable, optional
-        Called before each operation, every 20 ms during an operation, and every 0.1 s while this computer is measured.
-        The result True ends the analysis. The function may process Qt's events, if no event changes the documents.
-    machine : Machine, str or path, optional
-        See `Preferences.for_machine`.
-
-    Returns
-    -------
-    Report
-        One row for each operation. An error in an operation is reported in its row, and the other operations are still
-        analysed. An operation that is deleted during the analysis has no row.
-
-    Raises
-    ------
-    ValueError
-        If `what` is None and no document is open, or if `machine` is not a machine.
-    ReferenceError
-        If an object was deleted, or a document closed.
-    TypeError
-        If `what` is of another type.
-    Cancelled
-        If `cancelled` returned True.
+    The function `cancelled` is called before each operation, every 20 ms during an operation, and every 0.1 s while
+    this computer is measured. `cancelled` may process Qt's events, if no event changes the documents.
     """
 
     def going_on() -> None:

@@ -52,30 +52,11 @@ def analyze(
     cancelled: Callable[[], bool] | None = None,
     machine: Machine | str | os.PathLike | None = None,
 ) -> Report:
-    """Recognise the strategies of NC programs, and compute lengths, times and simulation costs, without FreeCAD.
+    """Analyse NC programs without FreeCAD. `vkworkbench.analyze` explains the parameters, the result and the errors.
 
-    Parameters
-    ----------
-    what : path, or iterable of paths
-        Files and folders. All NC programs in a folder are analysed. The report names the other files of the folder.
-    progress : callable, optional
-        Called before each file with the number of finished files, the number of all files, and the name of the file.
-    cancelled : callable, optional
-        Called before each file. If the function returns True, the analysis ends.
-    machine : Machine, str or path, optional
-        See `Preferences.for_machine`.
-
-    Returns
-    -------
-    Report
-        One row for each operation, see `analyze_file`. Each program is a job of the report.
-
-    Raises
-    ------
-    ValueError
-        If a name is empty, if a name is the text of a program, or if `machine` is not a machine.
-    Cancelled
-        If `cancelled` returned True.
+    All NC programs in a folder are analysed, and the report names the other files of the folder. Each program is a job
+    of the report, with one row for each operation, see `analyze_file`. `progress` and `cancelled` are called before
+    each file.
     """
     left_out: list[Path] = []
     paths = list(find_programs([what] if isinstance(what, (str, os.PathLike)) else what, left_out))

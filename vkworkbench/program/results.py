@@ -109,36 +109,17 @@ class Csv:
 
 
 class Results:
-    """A file of results, or the standard output, to which rows are added program by program.
+    """A file of results, or the standard output (``"-"``), to which rows are added program by program.
 
-    Parameters
-    ----------
-    path : str
-        Name of the file, or ``"-"`` for the standard output.
-    form : JsonLines or Csv
-    resume : bool
-        Whether to continue an existing file. The last program in the file is analysed again, because its rows may be
-        incomplete.
-
-    Attributes
-    ----------
-    done : set of str
-        Programs whose rows are in the file already.
-    unread : set of str
-        Programs in `done` that could not be read.
-
-    Raises
-    ------
-    ValueError
-        If a line of the existing file is not a result of this command.
-    OSError
-        If the file cannot be written, or another command is writing it.
+    If `resume` is True, an existing file is continued. The last program in the file is analysed again, because its rows
+    may be incomplete. A ValueError is raised if a line of the existing file is not a result of this command, and an
+    OSError if the file cannot be written, or another command is writing it.
     """
 
     def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool) -> None:
         self._form = form
-        self.done: set[str] = set()
-        self.unread: set[str] = set()
+        self.done: set[str] = set()  # programs whose rows are in the file already
+        self.unread: set[str] = set()  # programs in `done` that could not be read
         # A named file has no buffer, because closing would write buffered data again that a full disk refused.
         self._file: BinaryIO | io.FileIO
         if path == "-":

@@ -30,22 +30,9 @@ from vkworkbench.report import JobVerdict, OperationReport, Report
 def mark(report: Report, *, undo_step: bool = True) -> int:
     """Mark the operations of a report, and their jobs with totals and verdicts, as one undo step for each document.
 
-    Operations that have changed since the analysis are marked as outdated.
-
-    Parameters
-    ----------
-    undo_step : bool
-        Whether the user can undo the marking. If False, steps that the user has undone before can still be redone.
-
-    Returns
-    -------
-    int
-        Number of marked operations. Operations that were deleted, or whose document was closed, are skipped.
-
-    Raises
-    ------
-    TypeError
-        If `report` is not a Report.
+    Operations that have changed since the analysis are marked as outdated. If `undo_step` is False, the user cannot
+    undo the marking, and steps that the user has undone before can still be redone. The result is the number of marked
+    operations. Operations that were deleted, or whose document was closed, are skipped.
     """
     of_kind("report", report, Report, "the Report that analyze returns")
     marked = 0

@@ -78,15 +78,7 @@ class ReadCut:
 
 
 class JobCopy:
-    """Copies of a job's operations. The main thread makes the copies one by one, and another thread reads them.
-
-    Attributes
-    ----------
-    document : str
-        Internal name of the document.
-    names, labels : tuple of str
-        Internal names of the operations, and their labels.
-    """
+    """Copies of a job's operations. The main thread makes the copies one by one, and another thread reads them."""
 
     def __init__(self, objects: list, job, asked: list, clamps: Iterable | None = None) -> None:
         previous = None if job is None else previous_job(job)

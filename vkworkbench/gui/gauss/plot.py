@@ -15,18 +15,10 @@ _MIN_SHARE, _MAX_SHARE = 1e-6, 4.0  # lower and upper bound of the visible share
 
 
 class Plot:
-    """A plot that shows a rectangular range (the window) of the data.
-
-    Attributes
-    ----------
-    place : QRectF
-        Rectangle of the plot in the widget, px, without the labels of the axes.
-    lower, upper : (2,) float64
-        Corners of the window, in the units of the data.
-    """
+    """A plot that shows a rectangular range (the window) of the data."""
 
     def __init__(self, lower, upper, *, equal: bool) -> None:
-        self.place = QRectF()
+        self.place = QRectF()  # rectangle of the plot in the widget, px, without the labels of the axes
         self._equal = equal
         self._home = np.array([lower, upper], float)
         self.home()

@@ -20,12 +20,9 @@ _CLOSE = 0.25  # if a smaller share of the data is visible, the segments to draw
 
 
 class Polyline:
-    """A polyline, of which only segments that look different on the screen are drawn.
+    """A polyline (n+1, 2), mm, of which only segments that look different on the screen are drawn.
 
-    Attributes
-    ----------
-    points : (n+1, 2) float64
-        Points in mm, with NaN at interruptions.
+    A point with NaN interrupts the polyline.
     """
 
     def __init__(self, points: np.ndarray) -> None:

@@ -33,21 +33,11 @@ _LINGER = 200  # ms for which the progress line stays after a task, to avoid fli
 class Background(QObject):
     """Runs one task at a time. A new task replaces the running one.
 
-    Parameters
-    ----------
-    look : int
-        Time between two reads of the thread's results, ms.
-
-    Attributes
-    ----------
-    began : Signal of str
-        A task has begun; the argument is its description.
-    over : Signal
-        The task has ended or was cancelled.
+    The results of the thread are read every `look` ms.
     """
 
-    began = Signal(str)
-    over = Signal()
+    began = Signal(str)  # a task has begun; the argument is its description
+    over = Signal()  # the task has ended or was cancelled
 
     def __init__(self, parent: QObject | None = None, look: int = 20) -> None:
         super().__init__(parent)

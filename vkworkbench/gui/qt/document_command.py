@@ -10,22 +10,12 @@ from vkworkbench.document.job.operations import is_job_group, is_operation, kind
 
 
 class DocumentCommand:
-    """A command in menus and toolbars, which is enabled while a document is open.
+    """A command in menus and toolbars, which is enabled while a document is open."""
 
-    Attributes
-    ----------
-    name : str
-        Name of the command, of its icon, and of the context of its translations.
-    menu, tooltip : str
-        English texts, which FreeCAD translates.
-    keys : str
-        Keyboard shortcut; empty if there is no shortcut.
-    """
-
-    name: str
-    menu: str
-    tooltip: str
-    keys = ""
+    name: str  # name of the command, of its icon, and of the context of its translations
+    menu: str  # English text, which FreeCAD translates
+    tooltip: str  # English text, which FreeCAD translates
+    keys = ""  # keyboard shortcut; empty if there is no shortcut
 
     def GetResources(self) -> dict:
         texts = {"MenuText": self.menu, "ToolTip": self.tooltip, "WhatsThis": self.tooltip}

@@ -12,17 +12,11 @@ from vkworkbench.gui.qt.text import explain, translate
 
 
 class Filter(QWidget):
-    """Lets the user filter the rows of the results panel by text, by strategy and by warnings.
-
-    Attributes
-    ----------
-    changed : callable
-        Called after each change of the filter.
-    """
+    """Lets the user filter the rows of the results panel by text, by strategy and by warnings."""
 
     def __init__(self, menus: Sequence[QMenu]) -> None:
         super().__init__()
-        self.changed: Callable[[], None] = lambda: None
+        self.changed: Callable[[], None] = lambda: None  # called after each change of the filter
         self.words = QLineEdit()
         self.words.setPlaceholderText(translate("Vk_Results", "Filter"))
         explain(

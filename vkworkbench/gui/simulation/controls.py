@@ -52,30 +52,13 @@ _BORDERS = 60  # px that a menu needs beside the text of an entry
 
 
 class SceneBar(QWidget):
-    """Controls for the direction of the view, the colours and the chips, a list of warnings, and a menu for saving.
+    """Controls for the direction of the view, the colours and the chips, a list of warnings, and a menu for saving."""
 
-    Attributes
-    ----------
-    looked : Signal of object
-        The user chose a standard direction, given by its name, or the direction of the 3D view (None).
-    recolored, chosen : Signal
-        The user changed the colouring or the tolerance; the user chose to show the part, the chips or both.
-    hinted, pointed : Signal of Fault
-        The mouse pointer is on a fault in a list; the user chose a fault.
-    saved : Signal of object
-        The user asked to save; the argument is the function of `exports` that saves.
-    measure, path : QAction
-        Checked if clicks on the part measure; checked if the path of the tool is drawn.
-    section : SectionBar
-        The row with the slider that moves the section.
-    controls, differences : QWidget
-        The row that is always shown; the row that is shown while surfaces are coloured by their difference from the
-        model.
-    """
-
-    looked, saved = Signal(object), Signal(object)
-    recolored, chosen = Signal(), Signal()
-    hinted, pointed = Signal(object), Signal(object)
+    looked = Signal(object)  # the user chose a standard direction by its name, or the direction of the 3D view (None)
+    recolored = Signal()  # the user changed the colouring or the tolerance
+    chosen = Signal()  # the user chose to show the part, the chips or both, or the path of the tool
+    hinted, pointed = Signal(object), Signal(object)  # the mouse pointer is on a fault (`Fault`); the user chose it
+    saved = Signal(object)  # the user asked to save; the argument is the function of `exports` that saves
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -201,22 +184,14 @@ class SceneBar(QWidget):
 
 
 class SectionBar(QWidget):
-    """A slider that moves the section.
+    """A slider that moves the section."""
 
-    Attributes
-    ----------
-    axis : int or None
-        Axis perpendicular to the section; None without a section.
-    changed : Signal
-        The section has been moved, shown or removed.
-    """
-
-    changed = Signal()
+    changed = Signal()  # the section has been moved, shown or removed
     _STEPS = 1000
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.axis: int | None = None
+        self.axis: int | None = None  # axis perpendicular to the section; None without a section
         self.place = OneLine()
         self.slider = QSlider(Qt.Horizontal)
         self.slider.setRange(0, self._STEPS)
@@ -243,18 +218,11 @@ class SectionBar(QWidget):
 
 
 class PlayBar(QWidget):
-    """Buttons for stepping and playing, and a text about the shown moment.
+    """Buttons for stepping and playing, and a text about the shown moment."""
 
-    Attributes
-    ----------
-    stepped : Signal of int
-        The user asked for a step by a trajectory (1), a command (2) or an operation (3); backwards if negative.
-    play_clicked : Signal
-    controls : QWidget
-        The row of buttons.
-    """
-
-    stepped, play_clicked = Signal(int), Signal()
+    # The user asked for a step by a trajectory (1), a command (2) or an operation (3); backwards if negative.
+    stepped = Signal(int)
+    play_clicked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -45,19 +45,12 @@ class Piece:
 
 
 class Layout:
-    """One way to show a mark in the tree.
-
-    Attributes
-    ----------
-    text : str
-        The text that Qt's style paints, with gaps for the pieces.
-    pieces : list of Piece
-    needed : int
-        Minimum width of the cell, px. In a narrower cell, the end of the text may be cut off.
-    """
+    """One way to show a mark in the tree."""
 
     def __init__(self, metrics) -> None:
-        self.text, self.pieces, self.needed = "", [], 0
+        self.text = ""  # the text that Qt's style paints, with gaps for the pieces
+        self.pieces: list[Piece] = []
+        self.needed = 0  # minimum width of the cell, px; the text beyond this width may be cut off
         self._metrics = metrics
         self._space = metrics.horizontalAdvance(100 * _SPACE) / 100  # px; Qt would round the width of one space
 
