@@ -318,7 +318,9 @@ def test_corners_of_heidenhain_are_read():
     assert heidenhain("X+20 *\nN5 G25 R2 *\nY+9 *\nG24 R+1 *\nX+0 *") == (
         [[18, 0, 5], [20, 2, 5], [20, 8, 5], [19, 9, 5], [0, 9, 5]], 0.25, [],
     )  # fmt: skip
-    assert heidenhain("X+20 *\nG25 R99 *\nY+9 *")[2] == ["word-not-read"]
+    assert heidenhain("X+20 *\n\n;note\nG25 R2 *\nY+9 *") == ([[18, 0, 5], [20, 2, 5], [20, 9, 5]], 0.25, [])
+    for unread in ("X+20 *\nG25 R99 *\nY+9 *", "X+20 *\nG98 L1 *\nM8 *\nG25 R2 *\nY+9 *"):
+        assert heidenhain(unread)[2] == ["word-not-read"]
 
 
 def test_labels_of_heidenhain_are_called():

@@ -111,6 +111,7 @@ class _Reader:
         self.deleted = False  # Whether the current line has a block delete.
         self.number = 0
         self.blocks = 0
+        self.corner = -1  # Index of the line after the last line that was read with the corner of a Heidenhain program.
         self.strange: list[int] = []
 
     def read(self) -> None:
@@ -278,7 +279,8 @@ class _Reader:
     def _without_labels(self, index: int, code: str) -> str:
         """Return a line of a Heidenhain program with the corner in the next line as a corner word (,R or ,C).
 
-        If the line calls a label, run the lines after the label, and return an empty text.
+        If the line calls a label, run the lines after the label, and return an empty text. The line of the corner itself
+        is also returned as an empty text.
         """
         if found := _LABEL_CALL.fullmatch(code):
             call = self.subprograms.label(int(found[1]), index, int(found[2] or 0))
@@ -288,7 +290,15 @@ class _Reader:
                 self.machine.calls_blocks = True
                 self._run_call(call)
             return ""
-        corner = _CORNER.match(self.lines[index + 1].upper()) if index + 1 < len(self.lines) else None
+        if _CORNER.match(code):
+            if index != self.corner:
+                self._problem(Message("word-not-read", letter="R"))
+            return ""
+        after = index + 1
+        while after < len(self.lines) and not split_comments(self.lines[after])[0].strip():
+            after += 1
+        corner = _CORNER.match(self.lines[after].upper()) if after < len(self.lines) else None
+        self.corner = after
         return f"{code} ,{'R' if corner[1] == '5' else 'C'}{corner[2]}" if corner else code
 
     def _call_macro(self, words: list[tuple[str, float]]) -> bool:

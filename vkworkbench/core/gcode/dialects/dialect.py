@@ -47,7 +47,7 @@ SIEMENS = Dialect(feeds_in_mm=frozenset([700, 710]))
 RAW_PATH = Dialect(feed_time=1.0)  # The text of a FreeCAD path, not converted by a post processor.
 HEIDENHAIN = Dialect(  # Heidenhain programs in DIN/ISO.
     codes=frozenset([0, 10, 20, 30, 40, 170, 180, 190, 400, 410, 420, 700, 710, 900, 910]),
-    data=frozenset([240, 250, 300, 310, 980, 990]),  # corners of the line before, the stock, labels, tools
+    data=frozenset([300, 310, 980, 990]),  # G30, G31, G98 and G99 define the stock, labels and tools
     has_pole=True,
     calls=False,
     modes_in_line=True,
