@@ -163,7 +163,7 @@ def test_names_and_comments_are_not_siemens_words(line):
     "line",
     [
         "CYCLE84(10,0,2,-5)", "N20 MCALL CYCLE83(RTP,0,2,-5)", "/N20 POCKET1(5)", "N 20 HOLES2 (5)", "MCALL HOLE", "N10 ROT RPL=5",
-        "N10 G0 A=DC(5)", "CYCLE800(1,2)", "N10 AMIRROR X0", "DEF REAL A", "N10 G1 X=R1",
+        "N10 G0 A=DC(5)", 'CYCLE800(1,"TC1",0,57,0,0,0,90,0,0)', "N10 AMIRROR X0", "DEF REAL A", "N10 G1 X=R1",
     ],
 )  # fmt: skip
 def test_siemens_language_is_refused(line):
@@ -345,7 +345,7 @@ def test_e_word_after_a_coordinate_is_not_an_exponent():
     [
         ("X=IC(5) Y = AC( 1 )", (15, 1, -1)), ("G91 X=AC(0) Y5", (0, 7, -1)), ("G91\nX=AC(0) Y=IC(1)", (0, 3, -1)), ("G20\nX=IC(1)", (35.4, 2, -1)),
         ("TRANS X100 Y=50\nX1 Y1", (101, 51, -1)), ("TRANS X100\nATRANS X5 Z1\nX0 Z0", (105, 2, 1)), ("TRANS X100\nN5 TRANS\nX1", (1, 2, -1)),
-        ("G0 SUPA Z500 D0", (10, 2, 5)), ('T="MILL 5"\nM6\nCYCLE832(0.1,1)\nCYCLE800()\nWORKPIECE(,"",,"BOX",1)\nX5', (5, 2, -1)),
+        ("G0 SUPA Z500 D0", (10, 2, 5)), ('T="MILL 5"\nM6\nCYCLE832(0.1,1)\nCYCLE800()\nCYCLE800(1,"TC1",0,57,0,0.0,0,,0,0,0,0,0,-1)\nWORKPIECE(,"",,"BOX",1)\nX5', (5, 2, -1)),
     ],
 )  # fmt: skip
 def test_words_of_siemens_are_read(text, end):

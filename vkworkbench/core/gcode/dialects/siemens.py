@@ -18,8 +18,11 @@ _TOOL_NAME = re.compile(r"(?<![A-Z])T\s*=\s*\"[^\"]*\"")
 _MACHINE_POSITION = re.compile(r"\bSUPA\b")  # G53 of other controls
 _SHIFT = re.compile(r"((?:N\s*\d+\s*)?)(A?)TRANS\b(?!\s*=)")
 _COORDINATE = re.compile(rf"([XYZ])\s*=?\s*{_NUMBER}")
-# Lines without effect on the tool's path: the tolerance of the control, the end of a swivelled plane, the stock.
-_WITHOUT_EFFECT = re.compile(r"(?:N\s*\d+\s*)?(?:CYCLE832\s*\(.*\)|CYCLE800\s*\(\s*\)|WORKPIECE\s*\(.*\)|STOPRE)")
+# Lines without effect on the tool's path: the tolerance of the control, and the stock.
+_WITHOUT_EFFECT = re.compile(r"(?:N\s*\d+\s*)?(?:CYCLE832\s*\(.*\)|WORKPIECE\s*\(.*\)|STOPRE)")
+_SWIVEL = re.compile(r"(?:N\s*\d+\s*)?CYCLE800\s*\((.*)\)")
+_OF_PLANE = slice(4, 13)  # the arguments of CYCLE800 that shift and turn the working plane
+_ZERO = re.compile(r"\s*[-+]?0*\.?0*\s*")
 
 # A drilling cycle, after MCALL for the end of each later move in X and Y; MCALL alone ends these cycles.
 _CYCLE = re.compile(r"(?:N\s*\d+\s*)?(?:(MCALL)|(?=CYCLE))\s*(?:(CYCLE8[123])\s*\(([^()]*)\))?")
@@ -73,7 +76,8 @@ def spelled(line: str, place: dict[str, float], shift: dict[str, float], *, rela
     relative : bool
         Whether G91 is in force in the line.
     """
-    if _WITHOUT_EFFECT.fullmatch(line):
+    swivel = _SWIVEL.fullmatch(line)
+    if _WITHOUT_EFFECT.fullmatch(line) or (swivel and all(map(_ZERO.fullmatch, swivel[1].split(",")[_OF_PLANE]))):
         return ""
     begin = _SHIFT.match(line)
     if begin:
