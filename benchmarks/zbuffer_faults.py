@@ -123,7 +123,7 @@ class Job:
             lower, upper = middle - half, middle + half
             top = self.safe + self.rng.uniform(0.5, 5)
             hits = [entered(self.cuts, lower - more, upper + more, top + more) for more in (-0.1, 0.0, 0.1)]
-            if upper[1] < self.low[1] - max(3 * self.radius, 1) and hits[0] == hits[1] == hits[2] != []:
+            if upper[1] < self.low[1] - 0.5 and hits[0] == hits[1] == hits[2] != []:
                 self.made_by = hits[0]
                 return Stock((*lower, self.top), (*upper, top))
             self.hole_places = self.places(4)
@@ -167,6 +167,9 @@ class Job:
                 sizes.update(cutting_edge_height=1.01 * thickness + 0.05, shank_diameter=diameter)
             else:
                 sizes.update(length=depth + 0.1, cutting_edge_height=depth + 0.1)
+        if fault == "clamp":
+            # A wide shank would also hit the clamp, in small blocks at every place of the clamp.
+            sizes["shank_diameter"] = diameter
         self.tool = replace(self.tool, **sizes)
         self.deep = deep
         return layers
