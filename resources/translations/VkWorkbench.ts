@@ -1890,19 +1890,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} has a warning.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{count} have warnings.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Toolpath Analysis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Toolpath Results (V, R) lists them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1910,11 +1898,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The job has a warning.</source>
+        <source>{count} mark has a warning: see Toolpath Results (V, R).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} jobs have warnings.</source>
+        <source>{count} marks have warnings: see Toolpath Results (V, R).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1890,32 +1890,20 @@
         <translation>{count} Operationen wurden analysiert.</translation>
     </message>
     <message>
-        <source>{count} has a warning.</source>
-        <translation>{count} hat eine Warnung.</translation>
-    </message>
-    <message>
-        <source>{count} have warnings.</source>
-        <translation>{count} haben Warnungen.</translation>
-    </message>
-    <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Es wird gemessen, wie schnell dieser Computer simuliert…</translation>
-    </message>
-    <message>
-        <source>Toolpath Results (V, R) lists them.</source>
-        <translation>Werkzeugweg-Ergebnisse (V, R) führt sie auf.</translation>
     </message>
     <message>
         <source>Reading the operations…</source>
         <translation>Operationen werden gelesen…</translation>
     </message>
     <message>
-        <source>The job has a warning.</source>
-        <translation>Der Auftrag hat eine Warnung.</translation>
+        <source>{count} mark has a warning: see Toolpath Results (V, R).</source>
+        <translation>{count} Markierung hat eine Warnung: siehe Werkzeugweg-Ergebnisse (V, R).</translation>
     </message>
     <message>
-        <source>{count} jobs have warnings.</source>
-        <translation>{count} Aufträge haben Warnungen.</translation>
+        <source>{count} marks have warnings: see Toolpath Results (V, R).</source>
+        <translation>{count} Markierungen haben Warnungen: siehe Werkzeugweg-Ergebnisse (V, R).</translation>
     </message>
 </context>
 <context>

@@ -1890,32 +1890,20 @@
         <translation>{count} operaciones analizadas.</translation>
     </message>
     <message>
-        <source>{count} has a warning.</source>
-        <translation>{count} tiene una advertencia.</translation>
-    </message>
-    <message>
-        <source>{count} have warnings.</source>
-        <translation>{count} tienen advertencias.</translation>
-    </message>
-    <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Midiendo a qué velocidad simula este ordenador…</translation>
-    </message>
-    <message>
-        <source>Toolpath Results (V, R) lists them.</source>
-        <translation>Resultados de trayectorias (V, R) los muestra.</translation>
     </message>
     <message>
         <source>Reading the operations…</source>
         <translation>Leyendo las operaciones…</translation>
     </message>
     <message>
-        <source>The job has a warning.</source>
-        <translation>El trabajo tiene una advertencia.</translation>
+        <source>{count} mark has a warning: see Toolpath Results (V, R).</source>
+        <translation>{count} marca tiene una advertencia: vea Resultados de trayectorias (V, R).</translation>
     </message>
     <message>
-        <source>{count} jobs have warnings.</source>
-        <translation>{count} trabajos tienen advertencias.</translation>
+        <source>{count} marks have warnings: see Toolpath Results (V, R).</source>
+        <translation>{count} marcas tienen advertencias: vea Resultados de trayectorias (V, R).</translation>
     </message>
 </context>
 <context>

@@ -1890,32 +1890,20 @@
         <translation>{count} opérations ont été analysées.</translation>
     </message>
     <message>
-        <source>{count} has a warning.</source>
-        <translation>{count} a un avertissement.</translation>
-    </message>
-    <message>
-        <source>{count} have warnings.</source>
-        <translation>{count} ont des avertissements.</translation>
-    </message>
-    <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>Mesure de la vitesse de simulation de cet ordinateur…</translation>
-    </message>
-    <message>
-        <source>Toolpath Results (V, R) lists them.</source>
-        <translation>Résultats des parcours (V, R) les énumère.</translation>
     </message>
     <message>
         <source>Reading the operations…</source>
         <translation>Lecture des opérations…</translation>
     </message>
     <message>
-        <source>The job has a warning.</source>
-        <translation>La tâche a un avertissement.</translation>
+        <source>{count} mark has a warning: see Toolpath Results (V, R).</source>
+        <translation>{count} marque a un avertissement : voir Résultats des parcours (V, R).</translation>
     </message>
     <message>
-        <source>{count} jobs have warnings.</source>
-        <translation>{count} tâches ont des avertissements.</translation>
+        <source>{count} marks have warnings: see Toolpath Results (V, R).</source>
+        <translation>{count} marques ont des avertissements : voir Résultats des parcours (V, R).</translation>
     </message>
 </context>
 <context>

@@ -1890,32 +1890,20 @@
         <translation>已分析 {count} 个操作。</translation>
     </message>
     <message>
-        <source>{count} has a warning.</source>
-        <translation>{count} 个有警告。</translation>
-    </message>
-    <message>
-        <source>{count} have warnings.</source>
-        <translation>{count} 个有警告。</translation>
-    </message>
-    <message>
         <source>Measuring how fast this computer simulates…</source>
         <translation>正在测量本机的模拟速度…</translation>
-    </message>
-    <message>
-        <source>Toolpath Results (V, R) lists them.</source>
-        <translation>刀具路径结果 (V, R) 中列出了它们。</translation>
     </message>
     <message>
         <source>Reading the operations…</source>
         <translation>正在读取操作…</translation>
     </message>
     <message>
-        <source>The job has a warning.</source>
-        <translation>该作业有一个警告。</translation>
+        <source>{count} mark has a warning: see Toolpath Results (V, R).</source>
+        <translation>{count} 个标记有警告：请见刀具路径结果 (V, R)。</translation>
     </message>
     <message>
-        <source>{count} jobs have warnings.</source>
-        <translation>{count} 个作业有警告。</translation>
+        <source>{count} marks have warnings: see Toolpath Results (V, R).</source>
+        <translation>{count} 个标记有警告：请见刀具路径结果 (V, R)。</translation>
     </message>
 </context>
 <context>

@@ -265,6 +265,8 @@ def test_crash_is_found_in_three_clicks(desk, window):
     source = player.simulation.source(player.moment.done - 1)
     assert source == (player.job.operations[2], number)
     assert f"command {number + 1}: {code}" in player.play_bar.text.text()
+    _, fault = texts[0].split("): ")
+    assert player.play_bar.text.text().endswith(fault)  # the text under the part and the warning have the same volume
     window.screenshot("simulation-crash-3")
     assert [chosen.Name for chosen in Gui.Selection.getSelection()] == [op.Name]
     window.wait(lambda: player.known._holds)  # wait until the document was compared with the simulated job

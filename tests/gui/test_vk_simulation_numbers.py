@@ -70,6 +70,7 @@ def test_simulations_are_coarse_first_and_of_the_whole_stock():
     for done in (fine, findings):
         assert done.volumes.sum() == pytest.approx(2 * 5 * (6 * 50 + np.pi * 9), rel=0.03) and not done.air.any()
     assert coarse.volumes.sum() == pytest.approx(fine.volumes.sum(), rel=0.2)
+    assert findings.volumes.sum() == pytest.approx(findings.facts.job.removed_volume)
     assert [crash.source.cut for crash in findings.facts.job.crashes] == [1, 1]
     assert findings.facts.verdict.crashes == 2
 

@@ -64,7 +64,7 @@ class AnalyzeCommand(DocumentCommand):
         _show_marks()
         results.refresh()
         measuring.measure_once()
-        warned, jobs = _warned(report)
+        warned = _warned(report)
         one, more = (
             translate("Vk_Analyze", "{count} operation was analyzed."), translate("Vk_Analyze", "{count} operations were analyzed.")
         )  # fmt: skip
@@ -73,16 +73,10 @@ class AnalyzeCommand(DocumentCommand):
         text = plural(one, more, sum(o.counted for o in report.operations) or len(report.operations))
         if warned:
             one, more = (
-                translate("Vk_Analyze", "{count} has a warning."), translate("Vk_Analyze", "{count} have warnings.")
-            )  # fmt: skip
+                translate("Vk_Analyze", "{count} mark has a warning: see Toolpath Results (V, R)."),
+                translate("Vk_Analyze", "{count} marks have warnings: see Toolpath Results (V, R)."),
+            )
             text += " " + plural(one, more, warned)
-        if jobs:
-            one, more = (
-                translate("Vk_Analyze", "The job has a warning."), translate("Vk_Analyze", "{count} jobs have warnings.")
-            )  # fmt: skip
-            text += " " + plural(one, more, jobs)
-        if warned or jobs:
-            text += " " + translate("Vk_Analyze", "Toolpath Results (V, R) lists them.")
         show_status(text)
 
 
@@ -121,16 +115,13 @@ def _unmarked_jobs(report) -> list:
     return [job for job in jobs if job is not None and not marks.is_marked(job)]
 
 
-def _warned(report) -> tuple[int, int]:
-    """Return how many operations of a report, and how many of its jobs, have a warning sign in the tree."""
+def _warned(report) -> int:
+    """Return how many marks of a report's operations and jobs have a warning sign in the tree."""
     documents, chosen = FreeCAD.listDocuments(), preferences.read()
-
-    def count(names) -> int:
-        objects = (documents[document].getObject(name) for document, name in names if document in documents)
-        marked = (read_with_faults(obj) for obj in objects if obj is not None)
-        return sum(is_warned(record, chosen) for record in marked if record is not None)
-
-    return count((o.document, o.name) for o in report.operations), count(report.jobs)
+    names = [*((o.document, o.name) for o in report.operations), *report.jobs]
+    objects = (documents[document].getObject(name) for document, name in names if document in documents)
+    marked = (read_with_faults(obj) for obj in objects if obj is not None)
+    return sum(is_warned(record, chosen) for record in marked if record is not None)
 
 
 def _show_marks() -> None:

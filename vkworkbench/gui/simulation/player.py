@@ -11,13 +11,14 @@ import numpy as np
 from vkworkbench import preferences
 from vkworkbench.core import Frame, Strategy
 from vkworkbench.core.rendering import CUT_OPEN, Scene, direction_of
+from vkworkbench.core.zbuffer import Source
 from vkworkbench.document.computer.calibration import known_speed
 from vkworkbench.document.simulation.job import SimulatedJob
 from vkworkbench.document.simulation.simulate import Simulation
 from vkworkbench.gui.qt.background import Background
 from vkworkbench.gui.qt.names import QEvent, QTimer, QVBoxLayout, QWidget, Signal, single_shot
 from vkworkbench.gui.qt.plain_text import shortened
-from vkworkbench.gui.qt.sentences import strategy_name, user
+from vkworkbench.gui.qt.sentences import sentence, strategy_name, user
 from vkworkbench.gui.qt.text import translate
 from vkworkbench.gui.simulation.controls import GAP, PlayBar, SceneBar
 from vkworkbench.gui.simulation.faults import Fault, Judgement, KnownFaults, judge
@@ -307,14 +308,23 @@ class Player(QWidget):
         )  # fmt: skip
         if self.drawing.removal is None or moment.noticed is None:
             return text
-        first, end = moment.of_command(moment.noticed)
-        volume = float(self.volumes[first:end].sum())
-        removed = translate("Vk_Simulate", "Removed: {}").format(user().volume(volume, 2))
-        text += "   " + (removed if volume else translate("Vk_Simulate", "Nothing removed"))
+        text += f"   {self._effect(source, *moment.of_command(moment.noticed))}"
         if self._asked is None:
             return text
         # The depth is first, because a narrow line shortens its end.
         return f"{self.measuring.depth(self._asked.place)}   {text}"
+
+    def _effect(self, source: Source, first: int, end: int) -> str:
+        """Return the fault of a command, or the volume that it removes, as text.
+
+        The volume that a rapid move removes is a part of its fault, and is computed more exactly than other volumes.
+        """
+        for fault in self.faults:
+            if fault.trajectory is not None and (fault.cut, fault.command) == (source.cut, source.command):
+                return sentence(fault.what)
+        volume = float(self.volumes[first:end].sum())
+        removed = translate("Vk_Simulate", "Removed: {}").format(user().volume(volume, 2))
+        return removed if volume else translate("Vk_Simulate", "Nothing removed")
 
     # The following methods respond to requests of the user.
 

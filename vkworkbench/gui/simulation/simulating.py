@@ -134,8 +134,9 @@ class Simulating:
 
     def _check(self, memory: float, going_on: Callable[[], None]) -> Findings:
         found = simulate_along_axis(self.job, memory, self._reported(going_on))
-        zbuffer = found.zbuffer
-        return Findings(found, found.facts(TOLERANCE, going_on), removed_volumes(zbuffer), cuts_air(zbuffer))
+        zbuffer, measured = found.zbuffer, found.measured
+        volumes = removed_volumes(zbuffer) if measured is None else measured.each
+        return Findings(found, found.facts(TOLERANCE, going_on), volumes, cuts_air(zbuffer, measured))
 
     def _reported(self, going_on: Callable[[], None]) -> Callable[[float], None]:
         self.share = 0.0
