@@ -317,7 +317,7 @@ def test_inactive_operation_is_shown_as_switched_off(small, zigzag_commands):
     report = vkworkbench.analyze(small.document)
     assert small.document.getObject(off.name) is op and report.totals[0].operations == 0
     row = str(report).splitlines()[2]
-    assert "switched off" in row and "0 ms" not in row and "?" not in row
+    assert "switched off" in row and not re.search(r"\b0 s", row) and "?" not in row
     vkworkbench.mark(report)
     assert op.Label2 == "⟦switched off⟧"  # not a warning: the user switched the operation off
     op.Label2 = "mine ⟦switched off⟧"
@@ -331,7 +331,7 @@ def test_stop_without_a_tool_has_no_error(small):
     (stop,) = vkworkbench.analyze(small.document).operations
     assert stop.strategy == "empty" and stop.error is None
     row = str(vkworkbench.analyze(small.document)).splitlines()[2]
-    assert "0 ms" not in row and "?" not in row
+    assert not re.search(r"\b0 s", row) and "?" not in row
     vkworkbench.mark(vkworkbench.analyze(small.document))
     assert small.document.getObject(stop.name).Label2 == "⟦empty⟧"
 
@@ -340,7 +340,7 @@ def test_operation_without_cutting_moves_has_an_error(small):
     small.add("Drill", [("(Drill)", {}), ("G90", {}), ("G80", {})])
     (drill,) = vkworkbench.analyze(small.document).operations
     assert drill.strategy == "empty" and drill.error == "The toolpath has no cutting move."
-    assert "0 ms" not in str(vkworkbench.analyze(small.document)).splitlines()[2]
+    assert not re.search(r"\b0 s", str(vkworkbench.analyze(small.document)).splitlines()[2])
 
 
 BAD_PATHS = {

@@ -13,7 +13,8 @@ from vkworkbench.language.marking import QT_TRANSLATE_NOOP
 # digits are not shown. With a higher value of ROUGH or ESTIMATED, meaningless digits are shown.
 ROUGH, ESTIMATED = 2.0, 1.05
 # Units of time: the name, the length, s, and the duration from which the next larger unit is used, s.
-_UNITS = (("ms", 1e-3, 1.0), ("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
+_UNITS = (("s", 1.0, 60.0), ("min", 60.0, 3600.0), ("h", 3600.0, inf))
+_SHORTEST = 1e-3  # s; shorter durations are shown as this duration
 ABOUT = QT_TRANSLATE_NOOP("Sentences", "about {number}")
 _BETWEEN = QT_TRANSLATE_NOOP("Sentences", "{low} to {high}")
 _PERCENT = QT_TRANSLATE_NOOP("Sentences", "{number}%")
@@ -104,7 +105,7 @@ class Reader:
         return self.separated(f"{turns:+.2f}") if turns else "0"
 
     def time(self, seconds: float, factor: float = 1.0, extra_digits: int = 0) -> str:
-        """Return a duration as text, such as ``"12 ms"``, ``"1.4 s"``, ``"3.0 min"`` or ``"2.5 h"``.
+        """Return a duration as text, such as ``"0.12 s"``, ``"1.4 s"``, ``"3.0 min"`` or ``"2.5 h"``.
 
         Parameters
         ----------
@@ -114,10 +115,9 @@ class Reader:
         extra_digits : int
             Number of additional digits. Only exact durations, with a factor near 1, get additional digits.
         """
+        seconds = max(seconds, _SHORTEST) if seconds > 0 else seconds
         if factor > ESTIMATED and 0 < seconds < inf:
             return self._rounded_time(seconds, 1 if factor >= ROUGH else 2)
-        if seconds < 0.9995:
-            return f"{self._digits(seconds * 1e3, extra_digits)} ms"
         if seconds < 60:
             return f"{self._digits(seconds, extra_digits)} s"
         if seconds < 3600:

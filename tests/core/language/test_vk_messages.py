@@ -157,8 +157,8 @@ def test_numbers_are_written_in_the_readers_way():
 
 
 @pytest.mark.parametrize("kind, number, text", [
-    ("time", [0.0123], "12 ms"), ("time", [1.42], "1.4 s"), ("time", [180], "3.0 min"), ("time", [9000], "2.5 h"),
-    ("time", [4e-5], "0.04 ms"), ("time", [1e7], "2,778 h"),
+    ("time", [0.0123], "0.012 s"), ("time", [1.42], "1.4 s"), ("time", [180], "3.0 min"), ("time", [9000], "2.5 h"),
+    ("time", [4e-5], "0.001 s"), ("time", [1e7], "2,778 h"),
     ("time", [0.9995], "1.0 s"), ("time", [60], "1.0 min"), ("time", [3600], "1.0 h"), ("length", [10_000], "10 m"),
     ("memory", [1.5e9], "1.5 GB"), ("memory", [999.9e3], "1.0 MB"), ("memory", [0], "0 kB"),
     ("length", [12.345], "12 mm"), ("length", [12_345], "12 m"),
@@ -185,7 +185,7 @@ def test_different_times_in_a_sentence_are_written_differently():
     close = Message("legacy-long-play", simulator="legacy", longer=602.0, time=598.0)
     assert "10.03 min in the legacy simulator. Use fast-forward, which takes about 9.97 min" in render(close)
     assert "10,03 min" in render(close, German()) and "9,97 min" in render(close, German())
-    assert (ENGLISH.time(0.0501, extra_digits=2), ENGLISH.memory(50.25, 2)) == ("50.10 ms", "0.05025 kB")
+    assert (ENGLISH.time(0.0501, extra_digits=2), ENGLISH.memory(50.25, 2)) == ("0.0501 s", "0.05025 kB")
     assert (ENGLISH.time(2.0, extra_digits=2), ENGLISH.time(36_000.0, extra_digits=1)) == ("2.000 s", "10.0 h")
 
 
@@ -199,9 +199,9 @@ def test_unit_of_a_volume_is_chosen_by_the_side_of_its_cube():
 
 
 @pytest.mark.parametrize("seconds, two, one", [
-    (0.393, "390 ms", "400 ms"), (1.42, "1.4 s", "1 s"), (186.0, "3.1 min", "3 min"), (6120.0, "1.7 h", "2 h"),
-    (4e-5, "0.040 ms", "0.04 ms"), (59.7, "1.0 min", "1 min"), (0.996, "1.0 s", "1 s"), (3580.0, "1.0 h", "1 h"),
-    (9.96, "10 s", "10 s"), (96.0, "1.6 min", "2 min"), (1e7, "2,800 h", "3,000 h"), (0.0, "0 ms", "0 ms"),
+    (0.393, "0.39 s", "0.4 s"), (1.42, "1.4 s", "1 s"), (186.0, "3.1 min", "3 min"), (6120.0, "1.7 h", "2 h"),
+    (4e-5, "0.0010 s", "0.001 s"), (59.7, "1.0 min", "1 min"), (0.996, "1.0 s", "1 s"), (3580.0, "1.0 h", "1 h"),
+    (9.96, "10 s", "10 s"), (96.0, "1.6 min", "2 min"), (1e7, "2,800 h", "3,000 h"), (0.0, "0 s", "0 s"),
     (float("inf"), "inf h", "inf h"),
 ])  # fmt: skip
 def test_number_of_digits_of_a_time_depends_on_its_error(seconds, two, one):

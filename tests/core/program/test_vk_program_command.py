@@ -313,7 +313,7 @@ def apart_in_a_thread(*asked):
 def test_program_after_a_stopped_analysis_is_read(folder, endless):
     """The first program exceeds its time limit. The time limit of the next program is longer than threads can wait."""
     late, other = apart_in_a_thread((endless, 0.5), (folder / "a.nc", 1e10))
-    assert late.error == "The analysis was stopped after 500 ms." and not late.counted
+    assert late.error == "The analysis was stopped after 0.5 s." and not late.counted
     assert str(other.strategy) == "zigzag"
 
 

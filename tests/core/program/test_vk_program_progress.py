@@ -40,7 +40,7 @@ def test_progress_in_a_terminal_is_one_changing_line(clock, paths):
     clock[0] += 10.0
     told.add(paths[2])
     told.clear()
-    assert stream.getvalue().endswith("3 of 3 files, 0 ms left\r\x1b[K") and "\n" not in stream.getvalue()
+    assert stream.getvalue().endswith("3 of 3 files, 0 s left\r\x1b[K") and "\n" not in stream.getvalue()
 
 
 def test_progress_in_a_file_is_a_line_at_intervals(clock, paths):
