@@ -41,6 +41,12 @@ def test_gauss_map_shows_labels_as_text(opened, window):
     dock.hide()
 
 
+def test_middle_of_a_long_label_is_left_out_of_sentences():
+    label = "Roughing of the pocket on the left side, with the long end mill"
+    assert plain_text.shortened(label) == "Roughing of the pock…th the long end mill"
+    assert plain_text.shortened(label[:40]) == label[:40]
+
+
 @pytest.fixture
 def trap(tmp_path, window):
     """Return a label that is HTML with a red picture of 60 x 60 pixels."""

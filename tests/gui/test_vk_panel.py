@@ -648,6 +648,17 @@ def test_operation_switched_off_is_updated_without_analysis(panel, opened, windo
     window.wait(lambda: column(panel, "Strategy") == on and text_of(panel) == text)
 
 
+def test_panel_opens_high_after_it_was_made_low(panel, window):
+    """A simulation tab makes the panel as low as possible."""
+    panel.hide()
+    panel.show()
+    window.main.resizeDocks([panel], [1], QtCore.Qt.Vertical)
+    window.wait(lambda: panel.height() < 200)
+    panel.hide()
+    window.show_results()
+    window.wait(lambda: panel.height() >= 290)
+
+
 @pytest.mark.long
 def test_switched_off_operation_is_not_an_error(panel, opened, window):
     face = labelled(opened, "Face")
