@@ -113,7 +113,7 @@ def layout(record, words="", *, room=10_000, **chosen):
 
 
 def record_of(seconds, *, factor=1.3, strategy=Strategy.ADAPTIVE, **rest):
-    costs = {"legacy": SimpleNamespace(seconds=seconds, memory_bytes=1e6, factor=factor)}
+    costs = {"legacy": SimpleNamespace(seconds=seconds, play_seconds=seconds, memory_bytes=1e6, factor=factor)}
     return Record(strategy, confidence=0.9, costs=costs, **rest)
 
 
