@@ -21,7 +21,6 @@ from vkworkbench.core.recognition.programs.parts import (
     _differs,
     _joined,
     _odds_of_difference,
-    _one_span,
     _short,
     find_borders,
 )
@@ -194,27 +193,6 @@ def test_plunge_beside_at_most_four_passes_is_a_hole():
         assert (len(moves.start), len(moves.holes)) == (rows, 1)
         last = int(np.flatnonzero(~path.rapid)[-2])
         assert sorted(find_borders(path, moves)) == ([last + 1, len(path) - 1] if borders else [])
-
-
-@pytest.mark.parametrize(
-    "places, borders",
-    [
-        # The plunges are what remains of a waterline's contours on a gentle slope.
-        ([(0, -2.0), (10, -2.0), (20, -1.0)], False),
-        ([(0, -2.0), (10, -2.0), (20, -2.0)], True),  # The holes are as deep as the pocket.
-        ([(0, -2.0), (10, -2.5), (20, -1.0)], True),
-        ([(0, -1.0), (0, -2.0), (0, -1.0)], True),  # The plunges are pecks in one hole.
-    ],
-)
-def test_plunges_to_the_depths_of_contours_are_not_holes(places, borders):
-    plunges = [
-        command
-        for x, z in places
-        for command in (("G0", {"X": 300.0 + x, "Y": 0.0}), ("G1", {"Z": z, "F": 5.0}), ("G0", {"Z": 5.0}))
-    ]
-    milling = programs.profile(depths=(-1.0, -2.0, -3.0))
-    path = replace(linearize([*milling, *plunges]), comments=())
-    assert bool(find_borders(path, monotonous_areas(path))) == borders
 
 
 @pytest.mark.parametrize("heights, borders", [(10, True), (11, False)])
@@ -397,22 +375,6 @@ def test_odds_of_a_difference_are_computed_from_confidences():
         _odds_of_difference(spiral, adaptive) == 0 == _odds_of_difference(adaptive, spiral)
         and _odds_of_difference(spiral, zigzag) > 0
     )
-
-
-def test_operation_of_rows_and_a_contour_is_named_by_its_rows():
-    rows, contour = Strategy.ZIGZAG, Strategy.PROFILE
-
-    def span(*spans):
-        (one,) = _one_span(told(Strategy.MIXED, *spans)).spans
-        assert (one.first, one.last, one.first_command, one.last_command, one.share) == (3, 9, 3, 9, 1.0)
-        return one.strategy
-
-    assert span((3, 4, contour, 0.4), (5, 9, rows, 0.6)) is rows
-    assert span((3, 4, rows, 0.6), (5, 9, contour, 0.4)) is rows
-    assert span((3, 4, contour, 0.6), (5, 9, rows, 0.4)) is Strategy.MIXED
-    assert span((3, 4, rows, 0.2), (5, 6, contour, 0.4), (7, 9, Strategy.ONE_WAY, 0.4)) is Strategy.ONE_WAY
-    one = told(contour, (3, 9, contour, 1.0))
-    assert _one_span(one) is one
 
 
 def test_equal_neighbouring_spans_of_one_operation_are_joined():

@@ -307,33 +307,6 @@ def test_area_cut_again_after_at_most_eight_retracts_is_found():
             assert not found["again"][:-1].any() and not found["again_above"][:-1].any()
 
 
-def test_contour_around_rows_finishes_their_walls():
-    rows = [("G0", {"Z": 5.0}), *programs.SOUND["zigzag"](14, 60.0, 3.0, [-1.0])]
-    path = linearize(rows)
-    (x0, y0), (x1, y1) = path.points[:, :2].min(axis=0), path.points[:, :2].max(axis=0)
-
-    def contour(z, out=0.5):
-        corners = ((x0 - out, y0 - out), (x1 + out, y0 - out), (x1 + out, y1 + out), (x0 - out, y1 + out))
-        to = [dict(zip("XY", map(float, corner))) for corner in (*corners, corners[0])]
-        return [
-            ("G0", {"Z": 5.0}),
-            ("G0", to[0]),
-            ("G1", {"Z": z, "F": 10.0}),
-            *[("G1", {**at, "F": 10.0}) for at in to[1:]],
-        ]
-
-    def borders(second, share):
-        path = linearize([*rows, *second, ("G0", {"Z": 5.0})])
-        return dividing_retracts(Sections(path, TOOL), {}, {len(linearize(rows)): share})
-
-    at = [len(linearize(rows))]
-    assert borders(contour(-1.0), 0.4) == []
-    # The retract is a border of operations, because its own probability is above the limit.
-    assert borders(contour(-1.0), 0.6) == at
-    assert borders(contour(-2.0), 0.4) == at  # The contour after the retract is deeper.
-    assert borders(contour(-1.0, out=9.0), 0.4) == at  # The contour is around another area.
-
-
 def in_turns(count, *drawn):
     """Return the toolpath of `count` strokes, and the trajectories at which all strokes but the first begin.
 

@@ -601,10 +601,6 @@ class PARTS:
     #: depths. A toolpath that cuts at more heights than this number cuts a curved surface. With a lower value, circuit
     #: boards engraved at a few depths count as surfaces.
     DEPTHS = 10
-    #: depths. Plunges are not holes, but contours of a surface that are as small as a point, if the plunges reach at
-    #: least this number of depths and all these depths are also milled. With the value 1, holes that are as deep as a
-    #: pocket count as contours. With a higher value, waterlines on gentle slopes are recognised as mixed.
-    LAYERS = 2
     #: share of the program's cutting length. Sections of other operations do not make a program mixed if these sections
     #: have less than this share in total and use the same tool. With the value 0, rasters on surfaces and circuits with
     #: a hole are recognised as mixed.
@@ -620,14 +616,6 @@ class PARTS:
     #: doubtful retracts, both strategies are one operation. With the value 1, any two strategies are recognised as one
     #: operation, such as a pocket followed by another pattern.
     TURNS = 3
-    #: share of the cleared area's size. Largest difference between the bounding box of a cleared area and the bounding
-    #: box of the contour that finishes its walls. With the value 0, no contour counts as finishing walls, and rows with
-    #: a contour are recognised as mixed. With a higher value, nothing changes in real programs.
-    AROUND = 0.05
-    #: count. Largest number of nested loops that can be the finishing passes of walls. With the value 0, only loops
-    #: that are not nested count as finishing passes. With a higher value, a pocket that is cut after another clearing
-    #: is recognised as the finishing pass of the clearing.
-    WALLS = 2
 
 
 class VISITS:
@@ -648,9 +636,6 @@ class VISITS:
     #: right. With the value 0, another operation begins at every doubtful retract between different strategies, and
     #: pockets are recognised as mixed.
     DIFFER = 0.6
-    #: share of the decision trees' votes. If at least this share of the decision trees' votes is for another operation
-    #: at a retract, even a contour around a cleared area is another operation and not the area's finishing pass.
-    SURE = 0.5
     #: visits. Number of previous visits (cuts between two retracts) that each visit is compared with, to find ground
     #: that is cut again. With the value 1, each visit is compared only with the visit before it. Comparing more visits
     #: (cuts between two retracts) improves the recognition only a little.
@@ -659,11 +644,6 @@ class VISITS:
     #: take longer to recognise, because each section is recognised separately. With the value 1, most programs are
     #: recognised as one operation.
     MOST = 60
-    #: count. Number of times that visits (cuts between two retracts) are divided again, at lower retracts. With the
-    #: value 0, all operations between two tool changes are recognised as one operation if retracts for a tool change
-    #: are higher than other retracts. With a higher value, recognising programs with retracts to many heights takes
-    #: long.
-    NESTED = 4
     #: share of the block's length. A block of a visit (an area or a drilled hole) counts as closed if the distance
     #: between its ends is below this share of the block's length.
     CLOSED = 0.03

@@ -6,19 +6,30 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from vkworkbench.core.gcode import title_of
 from vkworkbench.core.paper import Areas, monotonous_areas
-from vkworkbench.core.recognition.patterns.footprints import count_depths, number_depths
-from vkworkbench.core.recognition.programs.finishing import CutSection, within_operations
-from vkworkbench.core.recognition.thresholds import MAJORITY, PARTS, ROUNDING, ROWS, VISITS
+from vkworkbench.core.recognition.patterns.footprints import count_depths
+from vkworkbench.core.recognition.thresholds import MAJORITY, PARTS, ROWS, VISITS
 from vkworkbench.core.recognition.verdict.operation import cutting_length, recognize_one, spans_of
 from vkworkbench.core.recognition.verdict.recognition import Recognition
 from vkworkbench.core.strategy import Family, Strategy
 from vkworkbench.core.toolpath import Toolpath
 from vkworkbench.language import Message
+
+
+class CutSection(NamedTuple):
+    """A section of a program between two borders (possible starts of operations).
+
+    The fields are the section's first trajectory, the trajectory after the section, and the section's strategy.
+    """
+
+    begin: int
+    end: int
+    found: Recognition
 
 
 def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
@@ -31,7 +42,7 @@ def find_borders(toolpath: Toolpath, moves: Areas) -> dict[int, bool]:
     borders = dict.fromkeys(comments, False) if len(comments) <= PARTS.BORDERS else {}
     borders.update((int(at), True) for at in toolpath.tool_changes)
     holes = moves.holes
-    if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves) or _in_layers(toolpath, moves):
+    if len(holes) < PARTS.DRILLED * len(moves.start) or _sculptured(moves):
         holes = holes[toolpath.cycle[holes]]  # a canned cycle always drills
     if len(moves) and len(holes):
         # Holes form one run if there is no milling between them.
@@ -65,20 +76,6 @@ def _sculptured(moves: Areas) -> bool:
     Plunges on a surface are not holes, but passes of a raster that the boundary shortens to a point.
     """
     return count_depths(moves.z[:: len(moves) // ROWS.SAMPLE + 1]) > PARTS.DEPTHS
-
-
-def _in_layers(toolpath: Toolpath, moves: Areas) -> bool:
-    """Return whether plunges at different places reach several depths of the milling.
-
-    Plunges at several depths of the milling are not holes, but contours of a surface that are as small as a point.
-    """
-    bottom = toolpath.points[moves.holes + 1]
-    depth = number_depths(np.concatenate([bottom[:, 2], moves.z[moves.start]]))
-    drilled, milled = set(depth[: len(bottom)].tolist()), set(depth[len(bottom) :].tolist())
-    if len(drilled) < PARTS.LAYERS or not drilled <= milled:
-        return False
-    places = np.unique(np.rint(bottom[:, :2] / ROUNDING.PLACE), axis=0)
-    return len(places) > MAJORITY.SHARE * len(bottom)
 
 
 class Sections:
@@ -147,9 +144,6 @@ def dividing_retracts(sections: Sections, borders: Collection[int], retracts: di
     # If a program alternates between two strategies, at each depth or at each place, both strategies are one operation.
     dividing = {at for at, pair in names.items() if times[pair] < PARTS.TURNS}
     dividing |= {at for at, probability in retracts.items() if probability > VISITS.BORDER}
-    # An operation that clears an area can also contain the contours that finish the area's walls.
-    uncertain = {at for at in retracts if retracts[at] < VISITS.SURE}
-    dividing -= within_operations(sections.toolpath, cuts, uncertain)
     return [at for at in retracts if at in dividing]
 
 
@@ -189,7 +183,7 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
     little = bool(share[differs].sum() < PARTS.ASIDE)
     if little and not (differs & (stretch != stretch[main]) & _is_enough(found, share, program)).any():
         return _agree(toolpath, whole, found, share, operation)
-    runs = _joined([_one_span(one) for one in found] if program else found, operation)
+    runs = _joined(found, operation)
     spans = spans_of(toolpath, runs)
     names = list(dict.fromkeys(strategy for _, _, strategy in runs))
     tool_changes = np.searchsorted(np.sort(toolpath.tool_changes), [cut.begin for cut in cuts], side="right")
@@ -197,8 +191,7 @@ def recognize_parts(sections: Sections, borders: Mapping[int, bool], whole: Reco
         # A few other cuts with the same tool do not change the strategy of the program.
         pattern = whole if whole.strategy is found[main].strategy else found[main]
         others = [name for name in names if name is not pattern.strategy]
-        # Contours that finish the walls around the rows have the strategy of the rows, so that there is no other
-        # strategy to report.
+        # Short sections can have the strategy of the program, so that there is no other strategy to report.
         why = Message("with-others", told=pattern.why, strategies=others) if others else pattern.why
         return replace(pattern, why=why, spans=spans)
     why = Message("sections", count=len(runs), strategies=names, strategy=Strategy.MIXED)
@@ -225,21 +218,6 @@ def _is_enough(found: list[Recognition], share: np.ndarray, program: bool) -> np
     """
     drilled = np.array([one.strategy is Strategy.DRILLING for one in found])
     return drilled | (share > PARTS.CERTAIN) if program else drilled
-
-
-def _one_span(one: Recognition) -> Recognition:
-    """Return a recognised operation with all its trajectories in one span.
-
-    An operation of rows and a contour around the rows has the strategy of the rows.
-    """
-    if len(one.spans) < 2:
-        return one
-    share = sum(s.share for s in one.spans if s.strategy.family is Family.ROWS)
-    rows = max((s for s in one.spans), key=lambda s: s.share if s.strategy.family is Family.ROWS else -1.0).strategy
-    strategy = rows if share > MAJORITY.SHARE else one.strategy
-    first, last = one.spans[0], one.spans[-1]
-    span = replace(first, last=last.last, last_command=last.last_command, strategy=strategy, share=1.0)
-    return replace(one, spans=(span,))
 
 
 def _joined(found: list[Recognition], operation: np.ndarray) -> list[tuple[int, int, Strategy]]:

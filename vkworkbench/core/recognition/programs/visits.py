@@ -246,10 +246,9 @@ def find_retracts(toolpath: Toolpath, moves: Areas) -> dict[int, float]:
     are higher than retracts within an operation.
     """
     found, alone = _retracts_to_top(toolpath, moves, VISITS.DOUBTFUL)
-    for _ in range(VISITS.NESTED):
-        within = [_retracts_to_top(toolpath, monotonous_areas(toolpath, *visit), VISITS.BORDER) for visit in alone]
-        found.update(dict.fromkeys((at for lower, _ in within for at in lower), VISITS.BORDER))
-        alone = [visit for _, visits in within for visit in visits]
+    for visit in alone:
+        lower, _ = _retracts_to_top(toolpath, monotonous_areas(toolpath, *visit), VISITS.BORDER)
+        found.update(dict.fromkeys(lower, VISITS.BORDER))
     return dict(sorted(found.items(), key=lambda of: -of[1])[: VISITS.MOST])
 
 
