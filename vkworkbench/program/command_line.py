@@ -150,7 +150,7 @@ def _work(
     results = _results(asked, paths)
     place = asked.csv or asked.json_lines or _STANDARD_OUTPUT
     advice = "" if place == _STANDARD_OUTPUT else "; continue with --resume"
-    todo = [path for path in paths if results is None or str(path) not in results.done]
+    todo = [path for path in paths if results is None or not results.has(path)]
     progress = Progress(todo, sys.stderr)
     operations, unread_files, stopped = 0, 0, False
     try:
@@ -176,7 +176,7 @@ def _work(
         print(f"Stopped after {progress.files} of {len(todo)} files{advice}.", file=sys.stderr)
         return _STOPPED
     before = f", {how_many(len(paths) - len(todo), 'file')} done before" if len(todo) < len(paths) else ""
-    unread_before = sum(str(path) in results.unread for path in paths) if results is not None else 0
+    unread_before = sum(map(results.has_unread, paths)) if results is not None else 0
     if unread_before:
         before += f", {unread_before} of them could not be read"
     not_read = f", {unread_files} could not be read" if unread_files else ""

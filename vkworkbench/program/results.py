@@ -15,6 +15,7 @@ import re
 import sys
 from collections.abc import Iterable
 from functools import partial
+from pathlib import Path
 from typing import BinaryIO
 
 from vkworkbench.report import OperationReport, cells_of
@@ -64,6 +65,11 @@ class JsonLines:
 
     header, start = b"", b'{"'
 
+    @staticmethod
+    def name_of(program: str) -> str:
+        """Return the name of a program as `document` reads it from a line."""
+        return program
+
     def line(self, row: OperationReport) -> bytes:
         return _bytes(json.dumps(row.as_dict(), ensure_ascii=False) + "\n")
 
@@ -87,8 +93,13 @@ class Csv:
         self._columns = self._names.index("document"), self._names.index("counted")
 
     def line(self, row: OperationReport) -> bytes:
-        cells = cells_of(row)
+        cells = {**cells_of(row), "document": self.name_of(row.document)}
         return self._written(cells[name] for name in self._names)
+
+    @staticmethod
+    def name_of(program: str) -> str:
+        """Return the name of a program as in a line: with ``%0A`` for a line end, so that two names stay different."""
+        return _CONTROL.sub(lambda found: f"%{ord(found[0]):02X}", program)
 
     def document(self, line: bytes) -> tuple[str, bool]:
         """Return the program whose results are in a line, and whether the program was read.
@@ -118,8 +129,8 @@ class Results:
 
     def __init__(self, path: str, form: JsonLines | Csv, *, resume: bool) -> None:
         self._form = form
-        self.done: set[str] = set()  # programs whose rows are in the file already
-        self.unread: set[str] = set()  # programs in `done` that could not be read
+        self._done: set[str] = set()  # names of the programs whose rows are in the file already
+        self._unread: set[str] = set()  # names of the programs in `_done` that could not be read
         # A named file has no buffer, because closing would write buffered data again that a full disk refused.
         self._file: BinaryIO | io.FileIO
         if path == "-":
@@ -128,7 +139,7 @@ class Results:
             self._file = open(path, "wb", buffering=0, opener=_open_untruncated)
             if os.path.isfile(path):  # the path is not a pipe or a device
                 self._begin(path, resume=resume)
-        if not self.done:
+        if not self._done:
             try:
                 self._write(form.header)
             except BaseException:
@@ -148,6 +159,14 @@ class Results:
             raise
         self._file.truncate(kept)
         self._file.seek(kept)
+
+    def has(self, program: Path) -> bool:
+        """Return whether the rows of a program are in the file already."""
+        return self._form.name_of(str(program)) in self._done
+
+    def has_unread(self, program: Path) -> bool:
+        """Return whether the file states that a program could not be read."""
+        return self._form.name_of(str(program)) in self._unread
 
     def add(self, rows: Iterable[OperationReport]) -> None:
         """Write all rows of one program together."""
@@ -169,7 +188,7 @@ class Results:
             raise ValueError(_NOT_A_RESULT)
 
     def _keep(self, file: BinaryIO) -> int:
-        """Fill `done` and `unread` from an existing file, and return the number of bytes to keep."""
+        """Fill `_done` and `_unread` from an existing file, and return the number of bytes to keep."""
         place, begin, last = 0, 0, None
         header = self._form.header
         for line in iter(partial(file.readline, _LONGEST_LINE), b""):
@@ -188,10 +207,10 @@ class Results:
             except (ValueError, LookupError, TypeError, RecursionError):
                 raise ValueError(_NOT_A_RESULT) from None
             if document != last:
-                self.done.add(document)
+                self._done.add(document)
                 if not read:
-                    self.unread.add(document)
+                    self._unread.add(document)
                 begin, last = place - len(line), document
-        self.done.discard(last)
-        self.unread.discard(last)
-        return begin if self.done else 0
+        self._done.discard(last)
+        self._unread.discard(last)
+        return begin if self._done else 0

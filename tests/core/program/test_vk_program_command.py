@@ -191,6 +191,18 @@ def test_resume_option_keeps_a_file_without_results(folder, tmp_path, kind, cont
 
 
 @pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
+def test_resume_option_finds_names_with_control_characters(tmp_path, kind, inside):
+    for name in ("a\nb.nc", "c.nc"):
+        (tmp_path / name).write_text(PROGRAM)
+    assert inside(tmp_path / "a\nb.nc", tmp_path / "c.nc", kind, tmp_path / "out").returncode == 0
+    (tmp_path / "a b.nc").write_text(PROGRAM)
+    done = inside(tmp_path, kind, tmp_path / "out", "--resume")
+    assert done.stderr.splitlines()[-1] == "2 operations in 2 files, 1 file done before."
+    lines = [line for line in (tmp_path / "out").read_text().splitlines() if "zigzag" in line]
+    assert len(lines) == len({line.split('"name"')[0].split(",")[0] for line in lines}) == 3
+
+
+@pytest.mark.parametrize("kind", ["--csv", "--json-lines"])
 def test_file_names_with_umlauts_are_written_as_read(folder, tmp_path, kind, inside):
     named = tmp_path / "Größe 型腔.nc"
     named.write_bytes((folder / "a.nc").read_bytes())
