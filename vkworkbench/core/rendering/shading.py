@@ -30,9 +30,7 @@ _DARKEST = np.float32(0.45)
 EDGE = np.float32(0.35)
 
 
-def shade(
-    depth: np.ndarray, pixel: float, colors: np.ndarray, background: tuple[int, int, int] = BACKGROUND
-) -> np.ndarray:
+def shade(depth: np.ndarray, pixel: float, colors: np.ndarray) -> np.ndarray:
     """Return a shaded picture of a surface.
 
     Parameters
@@ -43,8 +41,6 @@ def shade(
         Side of a pixel, mm.
     colors : (3,) or (height, width, 3) array of uint8
         Colour of the surface.
-    background : tuple of int
-        Red, green and blue, 0 to 255, of empty pixels.
 
     Returns
     -------
@@ -63,7 +59,7 @@ def shade(
     colors = np.asarray(colors)
     for channel in range(3):
         image[..., channel] = np.minimum(light * colors[..., channel], 255)
-        image[..., channel][~seen] = background[channel]
+        image[..., channel][~seen] = BACKGROUND[channel]
     return image[::-1]
 
 
