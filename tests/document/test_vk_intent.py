@@ -94,7 +94,7 @@ def test_zigzag_fits_a_waterline_operation_with_a_pattern(small, zigzag_commands
     """
     FreeCAD's Waterline operation clears each depth with a pattern only if it uses the experimental algorithm.
 
-    Therefore a zigzag contradicts a Waterline operation with any other algorithm.
+    Therefore a zigzag contradicts a Waterline operation without the experimental algorithm.
     """
     waterline = small.add("Waterline", zigzag_commands)
     for name, value in (("Algorithm", algorithm), ("CutPattern", pattern)):

@@ -218,7 +218,7 @@ def test_measures_of_straight_strokes_have_no_turns():
 
 @pytest.mark.parametrize("rows", [(3.0, 3.0), (3.0, 5.0)])
 def test_measures_of_a_grid_combine_the_rows_along_both_axes(rows):
-    """Sums include the rows along both axes. Proportions describe only the rows along the axis with the longer rows."""
+    """Measures that are sums include the rows along both axes; proportions describe only the axis with longer rows."""
     step, other = rows
     across = [[(0.0, step * k, 0.0), (60.0, step * k, 0.0)] for k in range(12)]
     down = [[(other * k, 0.0, 0.0), (other * k, 33.0, 0.0)] for k in range(12)]

@@ -229,7 +229,7 @@ def test_spiral_with_a_27_degree_bend_per_turn_steps_aside(degrees, length, asid
 def test_bend_in_small_steps_counts_as_one_bend():
     """Each of five bends has 7 degrees on 0.3 mm, so small that rounding could cause the bend.
 
-    One bend of 35 degrees turns back.
+    After five such bends, one bend of 35 degrees turns the path back.
     """
 
     def side(whole):

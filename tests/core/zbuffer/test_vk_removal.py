@@ -66,8 +66,8 @@ def slots():
 def test_ray_is_tested_with_passing_trajectories_only(slots):
     x, y = np.array([0.0, 0.0, 0.0, 30.0]), np.array([-10.0, 0.0, 10.0, 0.0])
     segments, passes = slots.cut(x, y)
-    # One move at each height passes each ray in a slot. The plunges at the ends of the slots are too far away from the
-    # rays to cut them.
+    # Each ray in a slot is passed by one move at each height of the slot. The plunges at the ends of the slots are too
+    # far away from the rays to cut them.
     assert passes.tolist() == [2, 0, 1, 0]
     assert told(segments, 0) == [[0, 4, UNCUT], pytest.approx([-5, -3, 1]), pytest.approx([-3, 1, 5])]
     assert told(segments, 1) == [[UNCUT], [-5], [5]]

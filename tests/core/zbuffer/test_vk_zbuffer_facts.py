@@ -183,7 +183,7 @@ def test_trajectory_table_has_a_row_for_each_trajectory():
 
 
 def test_place_of_a_crash_is_its_deepest_place():
-    """Half of the block is 2 mm lower. After that, a rapid cuts 5 mm deep through the whole block."""
+    """A rapid cuts 5 mm deep through a block, after half of the block was cut down by 2 mm."""
     rows = [(x, y, 8) for k, y in enumerate(range(0, 31, 5)) for x in ((-5, 17) if k % 2 == 0 else (17, -5))]
     points = [*rows, (rows[-1][0], 30, 20), (-5, 15, 20), (-5, 15, 5), (45, 15, 5)]
     (crash,) = crashes(cut(points, rapid=[len(points) - 2]))

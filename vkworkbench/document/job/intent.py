@@ -36,7 +36,7 @@ MIN_CONFIDENCE = 0.8  # minimum confidence for a contradiction; lower: wrong rec
 def contradicts(name: str | None, found: Recognition) -> bool:
     """Return whether a toolpath surely contradicts the kind or the pattern with this name.
 
-    `benchmarks/intent.py` prints how often this function is right.
+    `benchmarks/intent.py` prints how often `contradicts` is right.
     """
     meant = _KINDS.get(name) or _PATTERNS.get(name)
     few = meant != {Family.HOLES} and found.passes is not None and found.passes < MIN_PASSES

@@ -311,7 +311,7 @@ class Player(QWidget):
         text += f"   {self._effect(source, *moment.of_command(moment.noticed))}"
         if self._asked is None:
             return text
-        # The depth is first, because a narrow line shortens its end.
+        # The text begins with the depth, because the end of the text is cut off if the line is narrow.
         return f"{self.measuring.depth(self._asked.place)}   {text}"
 
     def _effect(self, source: Source, first: int, end: int) -> str:

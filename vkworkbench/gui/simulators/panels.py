@@ -22,8 +22,8 @@ def panels() -> list[QWidget]:
     """Return the open panels of FreeCAD's simulators whose widgets can be used. All have the same Qt name.
 
     FreeCAD 1.x keeps closed panels, and PySide can confuse widgets of the next panel with deleted widgets at the same
-    address. FreeCAD reports that its command failed if it finds such a deleted widget in its panel; the result does not
-    contain that panel.
+    address. If FreeCAD found a deleted widget in a panel, FreeCAD would report a failed command, so the result does not
+    contain panels with deleted widgets.
     """
     return [
         panel

@@ -58,7 +58,7 @@ def _overlay() -> tuple[coin.SoGroup, coin.SoImage]:
 
     FreeCAD's command "Fit all" ignores the nodes.
     """
-    # FreeCAD defines this node class, so that the Python package coin has no constructor for it.
+    # The Python package coin has no constructor for SoSkipBoundingGroup, because FreeCAD defines this class.
     node = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
     node.getField("mode").set("EXCLUDE_BBOX")
     root = coin.cast(node, "SoGroup")

@@ -265,7 +265,7 @@ def _only_required_tool(program: Program) -> dict[int, Tool]:
 def _named(pattern: re.Pattern[str], comment: str) -> str:
     """Return the name of an operation that a pattern finds in a comment; empty if the pattern does not match.
 
-    Each group of the pattern finds the name in another form of the comment.
+    For each form of comments, the pattern has a group that finds the name.
     """
     found = pattern.fullmatch(comment.strip())
     return next(filter(None, found.groups())).strip() if found else ""

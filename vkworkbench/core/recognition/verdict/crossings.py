@@ -91,8 +91,8 @@ def measure_crossings(moves: Areas, sample: Sample, extent: float) -> dict[str, 
     Returns
     -------
     dict
-        "crossings" is the logarithm of the number of crossings per line. All other names consist of the prefix "level_"
-        or "plan_" and one of NAMES. A measure is -1 if there are no crossings from which to compute it. A pair is two
+        "crossings" is the logarithm of the number of crossings per line. Every other name is a prefix ("level_" or
+        "plan_") and one of NAMES. A measure is -1 if there are no crossings from which to compute it. A pair is two
         passes side by side at the usual distance. A triple is two pairs of passes with a common pass.
 
         * step: logarithm of the usual distance divided by the extent

@@ -100,7 +100,7 @@ def estimate(
     """Estimate the cost of simulating an operation from a few hundred rays that are simulated exactly.
 
     The order of the trajectories determines how often a pixel is cut (paper, section 2.1). Therefore the sampled rays
-    are cut in the order of the NC program. The recognised strategy only appears in the explanation of the result.
+    are cut in the order of the NC program. The recognised strategy does not change the cost, only its explanation.
 
     Parameters
     ----------

@@ -80,7 +80,7 @@ class SeenModel:
         for bottom in range(0, frame.height, _ROWS_AT_ONCE):
             going_on()
             rows = np.arange(bottom, min(bottom + _ROWS_AT_ONCE, frame.height))
-            first = bottom * frame.width  # number of the first pixel of these rows
+            first = bottom * frame.width  # number of the first pixel in the rows
             spans = spans_of(*frame.pixel_centres(np.tile(np.arange(frame.width), len(rows)), rows.repeat(frame.width)))
             met = np.flatnonzero(spans.far > spans.near)
             near[first + met], far[first + met] = spans.near[met], spans.far[met]

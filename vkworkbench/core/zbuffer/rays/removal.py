@@ -12,8 +12,8 @@ from vkworkbench.core.zbuffer.rays.dexels import THINNEST, Segments
 from vkworkbench.core.zbuffer.sweeps.trajectories import Trajectories
 
 # Number of neighbouring rays in a group, whose common rectangle is compared with the bounding boxes of trajectories.
-# Smaller groups of rays would need more comparisons. The rectangles of larger groups would meet more trajectories that
-# miss all of their rays.
+# Smaller groups of rays would need more comparisons. With larger groups, more trajectories would meet a rectangle but
+# miss all rays in the rectangle.
 GROUP = 16
 # `_PAIRS_HELD` is the largest number of pairs of a ray and a trajectory that are in memory at one time.
 # `_PAIRS_AT_ONCE` is the number of pairs of a ray and a trajectory in one batch, whose arrays fit into the processor's
