@@ -226,6 +226,7 @@ def test_valid_words_in_a_line_with_unreadable_text_are_read():
     assert said(PLAIN + "G1 X5 !") == [
         "Line 5: Text that does not consist of words like G1 X10 is ignored. The words beside it are read."
     ]
+    assert last("G1 Z-58145e87f0c3ee8848c97d.3F3") == (10, 2, -1)  # damaged: F is there twice
     assert last("G1 X1.2.3 Y6") == (10, 2, -1)  # The number X1.2.3 is not valid.
 
 

@@ -377,7 +377,8 @@ class _Reader:
             return words
         if rest == ":":  # some programs have a colon before a comment without parentheses
             return None
-        if _FOREIGN.fullmatch(rest) and _MOVE.match(code):
+        letters = [letter for letter, _ in words if letter not in "GM"]  # a letter twice shows a damaged line
+        if _FOREIGN.fullmatch(rest) and _MOVE.match(code) and len(set(letters)) == len(letters):
             self._problem(Message("foreign-text"))
             return words
         self._no_words()
