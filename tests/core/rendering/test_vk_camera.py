@@ -70,11 +70,6 @@ def test_points_are_projected_to_their_pixels():
     assert project(places, frame) == pytest.approx(np.column_stack((columns + 0.5, 149.5 - rows, [3, 4, 5])))
 
 
-def polygon_area(corners):
-    (x, y), (x1, y1) = corners.T, np.roll(corners, -1, axis=0).T
-    return abs((x * y1 - x1 * y).sum()) / 2
-
-
 def test_png_contains_the_image():
     image = np.random.default_rng(1).integers(0, 256, (5, 7, 3)).astype(np.uint8)
     data = png(image)
