@@ -3,7 +3,9 @@
 
 import FreeCAD
 import FreeCADGui as Gui
+import numpy as np
 import pytest
+from pictures import shows
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad
@@ -43,8 +45,8 @@ def assert_marks_are_seen(window, document, labels=("Face", "Adaptive pocket")):
         window.settle()
         area = view.visualRect(window.cell(label)) & view.viewport().rect()
         image = view.viewport().grab(area).toImage()
-        color = QtGui.QColor(marks.read(document.getObjectsByLabel(label)[0]).strategy.color).rgb()
-        columns = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
+        color = marks.read(document.getObjectsByLabel(label)[0]).strategy.color
+        columns = np.flatnonzero(shows(image, color).any(axis=0))
         assert len(columns) > 20, label
         assert columns[-1] < image.width() - 30, label  # right of the pill, the column has room for the time
 

@@ -14,6 +14,7 @@ import numpy as np
 import Path
 import pytest
 from cases import first_everywhere
+from pictures import pixels
 from PySide import QtCore, QtGui
 
 import vkworkbench
@@ -60,11 +61,6 @@ class View:
         self.window.wait(lambda: not self.dock._background.works)
         self.window.settle()
         return pixels(self.canvas.grab().toImage())
-
-
-def pixels(image):
-    image = image.convertToFormat(QtGui.QImage.Format_RGBA8888)
-    return np.frombuffer(bytes(image.constBits()), np.uint8).reshape(image.height(), image.width(), 4)
 
 
 def same(picture, other):

@@ -6,11 +6,12 @@ import json
 import re
 import time
 import traceback
-from collections import Counter
 
 import FreeCAD
 import FreeCADGui as Gui
+import numpy as np
 import pytest
+from pictures import contrast, counted, pixels
 from PySide import QtCore, QtGui
 
 try:
@@ -221,10 +222,7 @@ def test_frozen_name_column_is_opaque(panel, shipped, window):
 
         def is_same(one, other):
             """Compare pictures up to the rounding of Qt's smoothing, a few of 255 levels; text would differ by far more."""
-            pixels = (
-                (one.pixelColor(x, y), other.pixelColor(x, y)) for x in range(one.width()) for y in range(one.height())
-            )
-            return all(abs(a - b) < 8 for pair in pixels for a, b in zip(*(color.getRgb() for color in pair)))
+            return (np.abs(pixels(one).astype(int) - pixels(other)) < 8).all()
 
         # Wait, because FreeCAD applies a theme with a delay.
         window.wait(lambda: is_same(picture(bar.maximum() // 2), picture(bar.maximum())))
@@ -240,8 +238,7 @@ def test_frozen_name_column_is_opaque(panel, shipped, window):
 def test_arrow_of_a_menu_is_beside_its_text(panel, shipped, window):
     def columns(one, other):
         """Return the columns of pixels in which two pictures differ."""
-        rows = range(one.height())
-        return [x for x in range(one.width()) if any(one.pixel(x, y) != other.pixel(x, y) for y in rows)]
+        return np.flatnonzero((pixels(one) != pixels(other)).any(axis=(0, 2)))
 
     buttons = [b for b in panel.filter.findChildren(QtGui.QToolButton) if b.isVisible() and b.menu() is not None]
     assert len(buttons) == 2
@@ -264,23 +261,11 @@ def test_panel_does_not_widen_the_window_in_any_theme(panel, window, theme):
     assert window.main.width() <= 1280  # the panel does not make the main window wider
 
 
-def luminance(color):
-    channels = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color.getRgbF()[:3]]
-    return 0.2126 * channels[0] + 0.7152 * channels[1] + 0.0722 * channels[2]
-
-
-def contrast(one, other):
-    high, low = sorted((luminance(QtGui.QColor(one)), luminance(QtGui.QColor(other))), reverse=True)
-    return (high + 0.05) / (low + 0.05)
-
-
 def test_panel_is_readable_in_freecads_themes(panel, window, shipped):
     click_row(window, panel, "Bore")
     window.settle()
     window.screenshot(f"panel-{shipped.replace(' ', '-')}")
-    image = panel.details.viewport().grab().toImage()
-    points = [image.pixel(x, y) for x in range(0, image.width(), 2) for y in range(image.height())]
-    (background, _), *others = Counter(points).most_common()
+    (background, _), *others = counted(panel.details.viewport().grab().toImage()).most_common()
     link = readable(QtGui.QColor(colors.LINK), QtGui.QColor(background))
     assert contrast(background, link) > 4.5
     assert any(contrast(color, link) < 1.05 for color, _ in others)

@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui as Gui
 import Part
 import pytest
+from pictures import contrast, counted, luminance, shows
 from PySide import QtCore, QtGui
 
 import vkworkbench
@@ -48,30 +49,17 @@ def picture(window, label):
 
 def share(image, color):
     """Return the share of pixels with a colour."""
-    wanted = QtGui.QColor(color).rgb()
-    hits = sum(image.pixel(x, y) == wanted for x in range(image.width()) for y in range(image.height()))
-    return hits / (image.width() * image.height())
+    return shows(image, color).mean()
 
 
 def bright(image):
     """Return the share of nearly white pixels."""
-    colors = (image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height()))
-    return sum(luminance(c) > 0.8 for c in colors) / (image.width() * image.height())
+    found = counted(image)
+    return sum(count for color, count in found.items() if luminance(color) > 0.8) / sum(found.values())
 
 
 def tooltip(window, label):
     return window.tooltip(label).replace("\u00a0", " ")
-
-
-def luminance(color):
-    """Return the relative luminance (WCAG 2.1)."""
-    parts = [v / 12.92 if v <= 0.03928 else ((v + 0.055) / 1.055) ** 2.4 for v in QtGui.QColor(color).getRgbF()[:3]]
-    return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
-
-
-def contrast(one, other):
-    lighter, darker = sorted((luminance(one), luminance(other)), reverse=True)
-    return (lighter + 0.05) / (darker + 0.05)
 
 
 @pytest.mark.parametrize("one, other, expected", [
@@ -229,8 +217,7 @@ def test_text_beside_a_pill_is_readable(marked, window, theme):
     beside = image.copy(
         metrics.horizontalAdvance("zigzag  ") + 20, 0, metrics.horizontalAdvance("sim about"), image.height()
     )
-    shades = sorted({beside.pixelColor(x, y).name() for x in range(beside.width()) for y in range(beside.height())},
-                    key=luminance)  # fmt: skip
+    shades = sorted(counted(beside), key=luminance)
     assert contrast(shades[0], shades[-1]) >= 4.5
 
 

@@ -3,14 +3,13 @@
 
 import threading
 import time
-from collections import Counter
 
 import FreeCAD
 import FreeCADGui as Gui
-import numpy as np
 import Path
 import pytest
 from make_example import cam
+from pictures import counted
 from PySide import QtCore, QtGui
 
 from vkworkbench.core import Strategy, linearize, recognize
@@ -53,13 +52,6 @@ def picture(tmp_path):
     path = str(tmp_path / "view.png")
     Gui.activeView().saveImage(path, 700, 600, "#ffffff")
     return QtGui.QImage(path)
-
-
-def counted(image):
-    """Return {colour: number of pixels} of a picture."""
-    image = image.convertToFormat(QtGui.QImage.Format_RGB32)
-    colors, counts = np.unique(np.frombuffer(bytes(image.constBits()), np.uint32) & 0xFFFFFF, return_counts=True)
-    return Counter({f"#{color:06x}": count for color, count in zip(colors.tolist(), counts.tolist())})
 
 
 def nodes(document):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Marks, the warning line and the simulation are readable in the themes that FreeCAD ships."""
 
-from collections import Counter
-
 import FreeCADGui as Gui
+import numpy as np
 import simulation_window
+from pictures import contrast, counted, pixels, shows
 from PySide import QtCore, QtGui
 
 from vkworkbench import freecad, preferences
@@ -15,16 +15,11 @@ from vkworkbench.gui.simulation.time_line import TimeLine
 from vkworkbench.gui.simulators import panels as simulator_panels
 
 
-def luminance(color):
-    parts = [v / 12.92 if v <= 0.03928 else ((v + 0.055) / 1.055) ** 2.4 for v in QtGui.QColor(color).getRgbF()[:3]]
-    return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
-
-
 def contrast_of_text(image):
     """Return the contrast between the background (the commonest colour) and the colour that differs most from it."""
-    shades = Counter(image.pixel(x, y) for x in range(image.width()) for y in range(image.height()))
-    back = luminance(shades.most_common(1)[0][0])
-    return max((max(back, one) + 0.05) / (min(back, one) + 0.05) for one in map(luminance, shades))
+    shades = counted(image)
+    ((back, _),) = shades.most_common(1)
+    return max(contrast(back, shade) for shade in shades)
 
 
 def test_mark_is_readable_in_freecads_themes(shipped, marked, window):
@@ -39,10 +34,10 @@ def test_mark_is_readable_in_freecads_themes(shipped, marked, window):
     # Take the picture from the main window, because some themes make the tree's own background transparent.
     place = QtCore.QRect(view.viewport().mapTo(window.main, area.topLeft()), area.size())
     image = window.main.grab(place).toImage()
-    color = QtGui.QColor(marks.read(marked.getObjectsByLabel("Face")[0]).strategy.color).rgb()
-    pill = [x for x in range(image.width()) if any(image.pixel(x, y) == color for y in range(image.height()))]
-    assert contrast_of_text(image.copy(0, 0, pill[-1], image.height())) >= 4.5
-    assert contrast_of_text(image.copy(pill[-1] + 4, 0, 60, image.height())) >= 4.5
+    color = marks.read(marked.getObjectsByLabel("Face")[0]).strategy.color
+    end = int(np.flatnonzero(shows(image, color).any(axis=0))[-1])  # last column of the pill
+    assert contrast_of_text(image.copy(0, 0, end, image.height())) >= 4.5
+    assert contrast_of_text(image.copy(end + 4, 0, 60, image.height())) >= 4.5
 
 
 def test_warning_line_is_readable_in_freecads_themes(shipped, marked, window):
@@ -83,7 +78,7 @@ def test_simulation_tab_is_opaque_in_freecads_themes(shipped, small, marked, win
         shown = [widget.geometry() for widget in bar.findChildren(QtGui.QWidget) if widget.parent() is bar]
         free = [x for x in range(bar.width()) if all(x < one.left() or x > one.right() for one in shown)]
         assert len(free) > 10
-        assert len({row.pixel(x, y) for x in free for y in range(row.height())}) == 1
+        assert len(np.unique(pixels(row)[:, free].reshape(-1, 4), axis=0)) == 1
     finally:
         tab.window_of().close()
         window.settle()
