@@ -189,43 +189,6 @@ def test_texts_of_the_preferences_are_translated_and_fit(language, window):
     assert "alibrated" not in seen["items"][1]
 
 
-def english_texts(root):
-    """Return the visible texts of a widget in English, by the texts that the window shows."""
-    texts = [root.windowTitle()]
-    for kind in (QtGui.QLabel, QtGui.QAbstractButton, QtGui.QLineEdit, QtGui.QComboBox):
-        for one in root.findChildren(kind):
-            texts += [getattr(one, name)() for name in ("text", "placeholderText", "currentText") if hasattr(one, name)]
-    return texts
-
-
-def test_change_of_language_translates_open_panels(marked, window):
-    """The user changes the language while the panels and the coloured toolpaths are shown."""
-    Gui.setLocale("en")
-    window.show_results()
-    Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(marked.getObjectsByLabel("Face")[0])
-    window.click("Gauss Map")
-    gauss = dock(window, "VkGaussMap")
-    window.wait(lambda: gauss.title.text().startswith("Face"))
-    results = dock(window, "VkResults")
-    english = set(english_texts(results) + english_texts(gauss))
-    assert {"Toolpath Results", "Filter", "Gauss Map", "Save Picture…"} <= english
-    try:
-        Gui.setLocale("de")
-        window.wait(lambda: results.windowTitle() != "Toolpath Results" and "Zickzack" in gauss.title.text())
-        window.settle()
-        shown = set(english_texts(results) + english_texts(gauss))
-        assert not {text for text in shown & english if len(text) > 3} - {"Filter"}, shown & english
-        assert (
-            results.tree.model().rowCount() and results.model.headerData(2, QtCore.Qt.Horizontal) != "Machining\nTime"
-        )
-        assert "Warum?" in results.details.toPlainText()
-    finally:
-        Gui.setLocale("en")
-        window.settle()
-        close_docks(window)
-
-
 @pytest.mark.parametrize("name", LANGUAGES)
 def test_compiled_translations_are_up_to_date(name):
     # If this test fails, run resources/update_translations.sh.
