@@ -152,6 +152,12 @@ def test_recommended_image_is_the_advice_for_the_zbuffer():
     assert operation.resolution is operation.advice["z-buffer"] is not None
 
 
+def test_macros_read_the_costs_of_freecads_simulators_by_name():
+    operation, unknown = row((1, 1)), row(())
+    assert operation.legacy is operation.costs["legacy"] and operation.opengl is operation.costs["OpenGL"]
+    assert (unknown.legacy, unknown.opengl) == (None, None)
+
+
 def test_mistyped_simulator_name_is_refused():
     operation = row(())
     total = Report((operation,), {("D", "Job"): "Job"}, {"memory_bytes": 1e9, "seconds": 1e3}).totals[0]

@@ -6,8 +6,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from vkworkbench.core.simulators.legacy import LegacyCost
+from vkworkbench.core.simulators.opengl import OpenGLCost
 from vkworkbench.core.simulators.simulator import Simulator
-from vkworkbench.core.simulators.table import SIMULATORS, ZBUFFER
+from vkworkbench.core.simulators.table import LEGACY, OPENGL, SIMULATORS, ZBUFFER
 from vkworkbench.core.zbuffer import Resolution
 
 
@@ -25,6 +27,16 @@ class Costs:
 
     costs: Mapping[str, Any]
     advice: Mapping[str, Any]
+
+    @property
+    def legacy(self) -> LegacyCost | None:
+        """The cost in FreeCAD's legacy simulator at the accuracy set in the preferences; None if it is unknown."""
+        return self.costs.get(LEGACY.name)
+
+    @property
+    def opengl(self) -> OpenGLCost | None:
+        """The cost in FreeCAD's OpenGL simulator; None if it is unknown, or if this version has no such simulator."""
+        return self.costs.get(OPENGL.name)
 
     @property
     def resolution(self) -> Resolution | None:
