@@ -254,9 +254,8 @@ def check_exact_volume() -> None:
 
     ball = exact_volume([cut("ballend", (20, 30, 15), (20, 30, 7), (60, 50, 7))], stock)
     run = np.hypot(40, 20)
-    exact = (
-        run * (2 * np.pi + 4) + 2 * np.pi / 3 * 8 + np.pi * 4
-    )  # half a cylinder, a slot above the cylinder, and the two round ends
+    # Half a cylinder, a slot above the cylinder, and the two round ends.
+    exact = run * (2 * np.pi + 4) + 2 * np.pi / 3 * 8 + np.pi * 4
     crossing = [cut("endmill", (20, 30, 7), (60, 30, 7)), cut("endmill", (40, 10, 7), (40, 50, 7))]
     crossed = 3 * (2 * (40 * 4 + 4 * np.pi) - 16)
     print(

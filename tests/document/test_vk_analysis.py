@@ -311,9 +311,8 @@ def test_inactive_operation_is_shown_as_switched_off(small, zigzag_commands):
     op.Active = False
     (off,) = vkworkbench.analyze(small.document).operations
     assert off.strategy == "empty" and not off.counted and off.error.startswith("The operation is switched off.")
-    assert (
-        off.remarks[0].code == "inactive"
-    )  # scripts compare the code of a remark, because it is the same in every language
+    # Scripts compare the code of a remark, because it is the same in every language.
+    assert off.remarks[0].code == "inactive"
     report = vkworkbench.analyze(small.document)
     assert small.document.getObject(off.name) is op and report.totals[0].operations == 0
     row = str(report).splitlines()[2]

@@ -77,9 +77,10 @@ def checked_coarsely():
 @pytest.fixture(scope="session", autouse=True)
 def coarse_legacy_simulator():
     """Start FreeCAD's legacy simulator with its coarsest mesh; its finest mesh has a million triangles."""
+    # Imported here and not at the top of the file, because stranger.py imports this file and does not find examples/.
     from make_example import (
         cam,
-    )  # imported here and not at the top of the file, because stranger.py imports this file and does not find examples/
+    )
 
     module = cam("Main.Gui.Simulator")
     make_panel = module.CAMSimTaskUi.__init__

@@ -293,9 +293,8 @@ def test_gauss_map_is_readable_in_themes(view, opened, window, pack):
             ink = QtGui.QColor(getattr(view.canvas.theme, name))
             least = 3 if name == "faint" else 4.5
             assert contrast(ink, back) > least, (name, ink.name(), back.name())
-    window.wait(
-        lambda: view.canvas.theme.back != back.name() or pack == "FreeCAD Light"
-    )  # the picture follows the theme without a click
+    # The picture follows the theme without a click.
+    window.wait(lambda: view.canvas.theme.back != back.name() or pack == "FreeCAD Light")
 
 
 @contextmanager

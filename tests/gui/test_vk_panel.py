@@ -609,9 +609,8 @@ def test_faulty_operations_have_a_remark(panel, opened, window):
     assert rest == ""
     # The costs depend on the computer: a slow simulator has a caution.
     assert cautions == "" or " takes about " in cautions or " slows to about " in cautions
-    assert column(panel, "Warnings")["Job"].startswith(
-        "The simulation cost of Bore is unknown."
-    )  # only the beginning of the tooltip is compared, because the rest depends on the computer's speed
+    # Only the beginning of the tooltip is compared, because the rest depends on the computer's speed.
+    assert column(panel, "Warnings")["Job"].startswith("The simulation cost of Bore is unknown.")
 
 
 @pytest.mark.long

@@ -529,9 +529,8 @@ def test_part_is_shown_while_reading_continues(desk, window, monkeypatch):
     scene, _ = tab.reading.seen
     assert (scene.owner >= 0).any() and len(np.unique(scene.image)) > 20
     assert tab.player.view._scene is scene  # the player first shows the last preview from reading the job
-    window.click_at(
-        tab.player.view, tab.player.view.rect().center()
-    )  # a click before the first simulation has no effect
+    # A click before the first simulation has no effect.
+    window.click_at(tab.player.view, tab.player.view.rect().center())
     finest(shown(tab, window), window)
     assert tab.player.view._scene is not scene
 

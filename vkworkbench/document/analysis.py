@@ -168,9 +168,8 @@ def _analysed_or_known(
                  chosen.planned_machine, conditions)  # fmt: skip
     known = RESULTS.find(key)
     if known is None:
-        words = Words(
-            used_up(commands or reading.path.Commands)
-        )  # a million commands take half a GB, so read them only if needed
+        # A million commands take half a GB, so read them only if needed.
+        words = Words(used_up(commands or reading.path.Commands))
         known = _analysed(reading, words, chosen, conditions, going_on)
         RESULTS.keep(key, known)
     row = replace(

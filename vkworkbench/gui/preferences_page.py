@@ -10,9 +10,8 @@ from vkworkbench.gui.qt.plain_text import WholeText, as_plain, warn
 from vkworkbench.gui.qt.sentences import user
 from vkworkbench.gui.qt.text import QT_TRANSLATE_NOOP, translate
 
-TITLE = QT_TRANSLATE_NOOP(
-    "QObject", "Toolpath Analysis"
-)  # title of the group of pages, from which FreeCAD derives the name of the icon preferences-toolpath_analysis.svg
+# Title of the group of pages, from which FreeCAD derives the name of the icon preferences-toolpath_analysis.svg.
+TITLE = QT_TRANSLATE_NOOP("QObject", "Toolpath Analysis")
 
 
 class PreferencesPage(FormPage):

@@ -68,9 +68,8 @@ def install() -> None:
     idle.use(lambda call: QTimer.singleShot(1, call))  # wait 1 ms, so that Qt handles other events first
     FreeCAD.addDocumentObserver(_OpenedDocuments())
     FreeCAD.addDocumentObserver(_Recomputes())
-    Gui.getMainWindow().workbenchActivated.connect(
-        lambda name: simulator_watch.watch()
-    )  # the task view to watch exists at the latest when a workbench is activated
+    # The task view to watch exists at the latest when a workbench is activated.
+    Gui.getMainWindow().workbenchActivated.connect(lambda name: simulator_watch.watch())
 
 
 def _extend(workbench, menu: str) -> None:
@@ -89,9 +88,8 @@ def _extend(workbench, menu: str) -> None:
 
     def ContextMenu(recipient: str) -> None:
         try:
-            context_menu(
-                recipient
-            )  # FreeCAD's function fails for objects without a Proxy, such as groups and imported G-code
+            # FreeCAD's function fails for objects without a Proxy, such as groups and imported G-code.
+            context_menu(recipient)
         finally:
             _append_to_context_menu(workbench)
 

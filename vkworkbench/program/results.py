@@ -20,9 +20,8 @@ from typing import BinaryIO
 
 from vkworkbench.report import OperationReport, cells_of
 
-_LOCKED = (
-    2**60
-)  # position of the byte that Windows locks; it is beyond the end of the file, so that other programs can read the file
+# Position of the byte that Windows locks; it is beyond the end of the file, so that other programs can read the file.
+_LOCKED = 2**60
 _LONGEST_LINE = 100_000_000  # bytes in a line of results; a longer line is not a result
 _NOT_A_RESULT = "it has a line that is not a result of this command"
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]")

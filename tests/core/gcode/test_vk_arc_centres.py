@@ -27,6 +27,5 @@ def test_full_circles_whose_centres_are_ambiguous_have_a_remark():
     assert told("G2 I-5\n")[1] == []  # A centre given as coordinates would need both I and J.
     assert told("G2 X30 Y20 I-5 J0 Z-2\nG2 X30 Y20 I-5 J0 Z-3\n")[1] == []  # Descending full circles are a helix.
     assert told("G91.1\nG2 X30 Y20 I-5 J-3\n")[1] == []
-    assert (
-        told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []
-    )  # The centre words I and J of the second arc fit only as offsets.
+    # The centre words I and J of the second arc fit only as offsets.
+    assert told("G2 X30 Y20 I-5 J-3\nG2 X20 Y30 I-10 J0\n")[1] == []

@@ -70,9 +70,8 @@ def test_limits_of_size_and_feed_decide_if_a_path_is_in_inches(changed, imported
 
 
 def test_laser_and_wide_part_are_not_too_small():
-    assert not looks_like_inches(
-        zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0)
-    )  # A laser is not lifted between rows.
+    # A laser is not lifted between rows.
+    assert not looks_like_inches(zigzag(width=10.0, rows=4, step=0.5, depth=0.0, lift=0.0, feed=1.0))
     small = zigzag(width=10.0, rows=4, step=0.5, depth=-0.5, lift=2.0, feed=1.0)
     assert looks_like_inches(small, tool_diameter=2.6) and not looks_like_inches(small, tool_diameter=2.4)
 

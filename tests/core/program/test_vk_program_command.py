@@ -62,9 +62,8 @@ def endless(tmp_path, monkeypatch):
     path.parent.mkdir()
     path.write_text(PROGRAM)
     patched = f"from vkworkbench import worker\nworker._START = {NEVER_OPENS!r} + worker._START\n"
-    path.with_name("sitecustomize.py").write_text(
-        patched
-    )  # Python runs this file when the command or a Dask worker starts
+    # Python runs this file when the command or a Dask worker starts.
+    path.with_name("sitecustomize.py").write_text(patched)
     monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(path.parent), str(ROOT)]))
     monkeypatch.setattr("vkworkbench.worker._START", NEVER_OPENS + worker._START)
     return path

@@ -159,9 +159,8 @@ def test_two_contours_at_every_depth_are_not_a_pocket():
 def test_two_rings_linked_at_their_depth_are_a_pocket():
     """A link between the two contours of a washer would cut into the part."""
     assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 0, 1, 1])[0] == pytest.approx(20)
-    assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 1, 1, 2])[0] == pytest.approx(
-        2
-    )  # The rings are linked on a ramp, not at their depth.
+    # The rings are linked on a ramp, not at their depth.
+    assert reached(40.0, 20.0, 40.0, 20.0, z=[0, 0, -1, -1], areas=[0, 1, 1, 2])[0] == pytest.approx(2)
     # Only two of the five rings are linked at their depth.
     few = reached(40.0, 20.0, 40.0, 20.0, 40.0, z=[0, 0, -1, -1, -2], areas=[0, 0, 1, 2, 3])
     assert few[0] == pytest.approx(2)

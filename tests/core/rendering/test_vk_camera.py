@@ -46,9 +46,8 @@ def test_part_follows_the_drag_of_the_mouse():
 def test_image_stays_upright_near_the_vertical_view():
     a, b = View((0, 0, -1)).frame(STOCK), View(turned((0, 0, -1), 0, 0)).frame(STOCK)
     assert b.right == pytest.approx(a.right, abs=2e-3) and b.up == pytest.approx(a.up, abs=2e-3)
-    assert turned(direction_of((3e-8, -4e-8, 0, 1)), 0, 0) == pytest.approx(
-        turned((0, 0, -1), 0, 0)
-    )  # The direction has the rounding error of a direction from a camera.
+    # The direction has the rounding error of a direction from a camera.
+    assert turned(direction_of((3e-8, -4e-8, 0, 1)), 0, 0) == pytest.approx(turned((0, 0, -1), 0, 0))
     steep = turned((0, 0, -1), 0, -9.0)
     assert steep[2] > -1 and np.isfinite(View(steep).frame(STOCK).right).all()
     over = turned((0, 1, -1), 0, -9.0)  # The rotation stops before the part would be upside down.

@@ -58,9 +58,8 @@ def test_short_tool_in_deep_pocket_is_found():
     moves = pocket(range(38, 8, -2))
     assert told((moves, MILL)) == {("shank", 0): (104, 387, 22.0), ("length", 0): (260, 387, 10.0)}
     shank, short = collisions((moves, MILL)).found
-    assert (
-        abs(shank.place[2] - 39) < 0.02 and shank.place[1] < 10
-    )  # The collision is in the wall beside the first plunge that is too deep.
+    # The collision is in the wall beside the first plunge that is too deep.
+    assert abs(shank.place[2] - 39) < 0.02 and shank.place[1] < 10
     assert "shank collides with material 22 mm high" in render(shank.what)
     assert "20 mm long" in render(short.what) and "10 mm higher" in render(short.what)
 

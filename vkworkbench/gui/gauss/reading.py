@@ -75,10 +75,11 @@ def read(source: Source, going_on: Callable) -> Iterator[Reading | None]:
     index = proof(areas, main.first, main.last, around=main.strategy.family is Family.AROUND)
     going_on()
     signature = areas.signature(index)
+    # Computes these cached properties here in a thread, because they would block Qt's main thread for long.
     _ = (
         signature.theta_level,
         signature.length,
-    )  # computes these cached properties here in a thread, because they would block Qt's main thread for long
+    )
     drawn = [Polyline(points(areas)) for points in (outline, links)]
     going_on()
     yield Reading(recognition, areas, *drawn, index)

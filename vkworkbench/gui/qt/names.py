@@ -120,7 +120,6 @@ class MenuButton(QToolButton):
         self.setMenu(menu or QMenu(self))
 
     def sizeHint(self) -> QSize:
-        arrow = self.style().pixelMetric(
-            QStyle.PM_MenuButtonIndicator
-        )  # no widget argument, because with a widget FreeCAD 1.1's theme would return 0
+        # No widget argument, because with a widget FreeCAD 1.1's theme would return 0.
+        arrow = self.style().pixelMetric(QStyle.PM_MenuButtonIndicator)
         return super().sizeHint() + QSize(arrow, 0)

@@ -24,9 +24,8 @@ class FrozenTree(QTreeView):
         self._above.setObjectName("frozen")
         self._above.setFocusPolicy(Qt.NoFocus)
         self._above.setFrameShape(QFrame.NoFrame)
-        self._above.setStyleSheet(
-            "#frozen { border: none; border-radius: 0; margin: 0; padding: 0 }"
-        )  # without borders and margins, which many themes set for every tree, both trees align
+        # Without borders and margins, which many themes set for every tree, both trees align.
+        self._above.setStyleSheet("#frozen { border: none; border-radius: 0; margin: 0; padding: 0 }")
         self._above.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.setVerticalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
         self._above.hide()

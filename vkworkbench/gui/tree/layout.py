@@ -92,9 +92,8 @@ def layouts(record: Record, words: str, chosen: Preferences, metrics, most_of_re
     name = pill_text(record)
     is_error = _is_error(record)
     has_pill = not is_error or record.strategy is None or record.strategy.is_answer
-    remark = (
-        "" if is_switched_off(record) else " ".join(map(sentence, record.remarks))
-    )  # the pill already says that the operation is switched off
+    # The pill already says that the operation is switched off.
+    remark = "" if is_switched_off(record) else " ".join(map(sentence, record.remarks))
     if most_of_remark is not None:
         remark = remark[:most_of_remark]
     outdated = translate("Pills", "outdated") if record.outdated else ""

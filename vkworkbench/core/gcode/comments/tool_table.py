@@ -78,9 +78,8 @@ _COMPENSATION = re.compile(r"\bcomp(?:ensation)?\b|\bregister\b", re.IGNORECASE)
 _SEVERAL = re.compile(r"\bsizes\b", re.IGNORECASE)  # a comment with the word "sizes" describes several tools
 _LENGTH_OFFSET = re.compile(r"(?<!\w)H(\d{1,8})\b")
 _TOGETHER = re.compile(r"(?<=\btool)(?=Dia|Radius)")  # in toolDiam: 0.125, a space is inserted before "Diam"
-_IN_BOTH = re.compile(
-    r"(?<![\d.])(?P<mm>\d+(?:\.\d+)?\s*mm)\s*/\s*(?P<inches>\d*\.\d+)(?!\d|\s*mm)", re.IGNORECASE
-)  # a size in mm and in inches, as in 11mm / .433
+# A size in mm and in inches, as in 11mm / .433.
+_IN_BOTH = re.compile(r"(?<![\d.])(?P<mm>\d+(?:\.\d+)?\s*mm)\s*/\s*(?P<inches>\d*\.\d+)(?!\d|\s*mm)", re.IGNORECASE)
 _FLUTES = re.compile(r"\b\d+\s*-?\s*fl(?:utes?)?\b", re.IGNORECASE)
 _LISTED = re.compile(r"\s*T\d+\s*(?:[|:=]|[\d.]+mm\s+[\d.]+in\b)", re.IGNORECASE)
 _LONGEST, _LONGEST_NAME = 200, 60  # characters; longer comments are prose in which a size does not describe a tool.

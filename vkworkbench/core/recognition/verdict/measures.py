@@ -22,9 +22,8 @@ def measure_section(section: Section) -> dict[str, float]:
     changes only the measures that are relative to its extent.
     """
     moves = section.moves
-    extent = (
-        float(np.hypot(np.ptp(moves.x), np.ptp(moves.y))) or 1.0
-    )  # diagonal of the box around the starts of the moves, mm
+    # Diagonal of the box around the starts of the moves, mm.
+    extent = float(np.hypot(np.ptp(moves.x), np.ptp(moves.y))) or 1.0
     # A sample of the moves is enough to measure shares of the length.
     number = min(len(moves), MEASURED.MOVES)
     sample = Sample.of(moves, ((np.arange(number) + 0.5) * (len(moves) / number)).astype(np.int64))
