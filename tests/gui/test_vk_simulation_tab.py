@@ -51,7 +51,7 @@ def test_turning_and_playing_do_not_simulate_again(tab, window, monkeypatch, tmp
         assert [(f.trajectory, f.what) for f in player.faults] == [(f.trajectory, f.what) for f in faults]
         size = player.view.view
         # Each picture has as many pixels as the view.
-        assert player.view._scene.depth.shape == (size.height, size.width)
+        assert player.view._scene.pixels.shape == (size.height, size.width)
     assert len(set(shown)) == len(shown)
 
 

@@ -40,9 +40,8 @@ class SimulateCommand(DocumentCommand):
             return
         jobs = [] if selected else list(jobs_of(posted(find(document))).values())
         if len(jobs) > 1:
-            labels = [
-                f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)
-            ]  # the numbers distinguish jobs with the same label
+            # The numbers distinguish jobs with the same label.
+            labels = [f"{number}. {job.Label}" for number, job in enumerate(jobs, 1)]
             title = translate("Vk_Simulate", "Simulate Toolpaths")
             text = translate("Vk_Simulate", "Choose the job to simulate:")
             choose(title, text, labels, lambda number: open_tab(jobs[number]), Gui.getMainWindow())
@@ -72,7 +71,9 @@ def open_tab(what):
 
 
 def _again(tab) -> None:
-    """Close a tab, and open a new tab with a new simulation of the same objects."""
+    """Close a tab, and open a new tab with a new simulation of the same objects, if their document is still open."""
+    if tab.copy.document not in FreeCAD.listDocuments():
+        return
     asked = tab.copy.asked()
     tab.window_of().close()
     open_tab(asked)
