@@ -39,7 +39,7 @@ _SHOWN, _SHOWN_PIXEL, _SHOWN_TRAJECTORY, _SHOWING = 14.0, PIXEL_BYTES + 92.0, 10
 # Memory for each additional process, bytes: for Python and numpy (_PROCESS), for each trajectory that is sent to the
 # process (_SENT_TRAJECTORY), and for each record of a band, which both processes store (_SENT_RECORD).
 _PROCESS = 45e6
-_MOST_HELPERS = 1_000_000  # more processes than any computer runs; an infinite limit allows as many
+_MOST_HELPERS = 10**9  # more processes than any computer runs; an infinite limit allows as many
 _SENT_TRAJECTORY = 500.0
 _SENT_RECORD = 26.0
 # A full array of dexels, trace elements and gaps is enlarged by this share of the array's length.
