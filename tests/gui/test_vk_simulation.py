@@ -97,23 +97,6 @@ def test_exports_save_pictures_and_removal_rates(whole, window, tmp_path):
     assert lines[1].split(",")[2] == str(first + 1)  # commands are numbered from 1, as in the text below the part
 
 
-def test_shown_part_is_saved_and_added_as_a_mesh(simulated, window, tmp_path):
-    menu = next(b for b in simulated.findChildren(QtGui.QToolButton) if b.text() == "Save").menu()
-    entries = {action.text(): action for action in menu.actions()}
-    path = tmp_path / "part.stl"
-    window.answer_file_dialog(path, entries["Shown Part as STL…"].trigger)
-    simulated.moment.go_to(0.5 * simulated.clock.total)
-    entries["Shown Part as Mesh in the Document"].trigger()
-    document = FreeCAD.getDocument(simulated.job.operations[0].document)
-    added = document.Objects[-1].Mesh
-    finished = Mesh.Mesh(str(path))
-    removed = simulated.volumes[simulated.moment.done :].sum()
-    assert added.isSolid() and finished.isSolid()
-    assert added.Volume - finished.Volume == pytest.approx(removed, rel=0.01)
-    document.undo()
-    assert not [obj for obj in document.Objects if obj.TypeId == "Mesh::Feature"]
-
-
 def test_chips_are_drawn_on_the_simulated_part(whole, window):
     whole.moment.go_to(0.5 * whole.clock.total)
     whole.scene_bar.colorings.setCurrentIndex(4)
@@ -285,6 +268,23 @@ def test_crash_is_found_in_three_clicks(desk, window):
 
 
 # Tests that share one tab with four operations
+
+
+def test_shown_part_is_saved_and_added_as_a_mesh(simulated, window, tmp_path):
+    menu = next(b for b in simulated.findChildren(QtGui.QToolButton) if b.text() == "Save").menu()
+    entries = {action.text(): action for action in menu.actions()}
+    path = tmp_path / "part.stl"
+    window.answer_file_dialog(path, entries["Shown Part as STL…"].trigger)
+    simulated.moment.go_to(0.5 * simulated.clock.total)
+    entries["Shown Part as Mesh in the Document"].trigger()
+    document = FreeCAD.getDocument(simulated.job.operations[0].document)
+    added = document.Objects[-1].Mesh
+    finished = Mesh.Mesh(str(path))
+    removed = simulated.volumes[simulated.moment.done :].sum()
+    assert added.isSolid() and finished.isSolid()
+    assert added.Volume - finished.Volume == pytest.approx(removed, rel=0.01)
+    document.undo()
+    assert not [obj for obj in document.Objects if obj.TypeId == "Mesh::Feature"]
 
 
 def test_step_buttons_go_to_commands_and_operations(simulated, window):
