@@ -55,10 +55,11 @@ def test_release_has_only_the_files_for_users(archive):
 
 def test_package_xml_has_the_repository_address(tmp_path):
     text = (RESOURCES.parent / "package.xml").read_text(encoding="utf-8")
+    # Writing a repository address again replaces the former address.
     for place in (
         "https://example.org/one/first",
         "https://example.org/other/second.git/",
-    ):  # writing a repository address again replaces the former address
+    ):
         text = make_release.with_urls(text, place, "trunk")
     place = "https://example.org/other/second"
     package = tmp_path / "package.xml"
@@ -91,10 +92,11 @@ def test_release_script_writes_the_repository_address(tmp_path):
     assert not list(tmp_path.glob("*.zip"))
     untold = release()
     assert untold.returncode == 0 and "names no repository" in untold.stderr
+    # The second release, made without an address, has the address of the first.
     for told in (
         release("--repository", "https://example.org/owner/name"),
         release(),
-    ):  # the second release, made without an address, has the address of the first
+    ):
         assert (told.returncode, told.stderr) == (0, "")
         with zipfile.ZipFile(next(tmp_path.glob("*.zip"))) as file:
             package = Path(file.extract(f"{make_release.FOLDER}/package.xml", tmp_path))

@@ -78,9 +78,7 @@ def checked_coarsely():
 def coarse_legacy_simulator():
     """Start FreeCAD's legacy simulator with its coarsest mesh; its finest mesh has a million triangles."""
     # Imported here and not at the top of the file, because stranger.py imports this file and does not find examples/.
-    from make_example import (
-        cam,
-    )
+    from make_example import cam
 
     module = cam("Main.Gui.Simulator")
     make_panel = module.CAMSimTaskUi.__init__

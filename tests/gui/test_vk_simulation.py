@@ -351,10 +351,11 @@ def test_tab_and_marks_show_the_same_machining_times(simulated, desk, monkeypatc
 
 def test_time_line_explains_its_colours(simulated, window):
     line = simulated.time_line
+    # Y positions of the pointer: over the curve, then over the operations.
     for y, expected in (
         (6, True),
         (line.height() - 14, False),
-    ):  # y positions of the pointer: over the curve, then over the operations
+    ):
         QtGui.QToolTip.hideText()
         window.mouse_move(line, QtCore.QPoint(line.width() // 2, y), QtCore.Qt.NoButton)
         window.wait(QtGui.QToolTip.isVisible)

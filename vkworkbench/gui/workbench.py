@@ -124,9 +124,8 @@ class _OpenedDocuments:
         self._later(document.Name)
 
     def slotCommitTransaction(self, document) -> None:
-        if (
-            "vkworkbench.document.marks.marking" in sys.modules
-        ):  # if this module was never imported, no marks in the tree were written
+        # If this module was never imported, no marks in the tree were written.
+        if "vkworkbench.document.marks.marking" in sys.modules:
             from vkworkbench.gui.tree import pills
 
             pills.show()

@@ -367,7 +367,7 @@ def test_corners_of_siemens_are_read():
     assert cut.points[-3:].tolist() == [[18, 2, -1], [20, 4, -1], [20, 20, -1]] and not cut.problems
 
 
-def test_incremental_word_of_siemens_at_an_unknown_position_is_refused():
+def test_incremental_siemens_word_needs_a_known_position():
     with pytest.raises(Unusable, match="Siemens"):
         read_program("G21 G90\nG0 X=IC(5) Y0 Z5\nG1 Z-1 F60")
 

@@ -188,11 +188,11 @@ DOWN_ALL_ALONG = [(200 + x, y, 2 * z) for x, y, z in HELIX]
         (
             [[(0, 0, 0), (20, 0, -1), (60, 0, -1), (60, 20, -2), (0, 20, -3)]],
             None,
-        ),  # Of the path's 120 mm, only 40 mm are level.
+        ),  # Only 40 mm of the path's 120 mm are level.
         (
             [[(0, 0, 0), (20, 0, -1), (20, 90, -1), (60, 90, -2), (60, 70, -3)]],
             "ramp",
-        ),  # Of the path's 150 mm, 90 mm are level.
+        ),  # 90 mm of the path's 150 mm are level.
     ],
 )
 def test_kind_of_entry_with_most_of_the_descent_is_reported(strokes, entry):

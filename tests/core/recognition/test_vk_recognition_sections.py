@@ -255,7 +255,7 @@ def test_pattern_with_few_holes_keeps_its_strategy(program):
     assert [s.strategy for s in found.spans] == [Strategy.CONTOUR_PARALLEL, Strategy.DRILLING]
     assert found.spans[1].share < 0.05
     assert found.reason.endswith(" A small part is drilling."), found.reason
-    assert found.passes == 12  # Of the pocket, only the loops are counted.
+    assert found.passes == 12  # Only the loops of the pocket are counted.
 
 
 @pytest.mark.parametrize("program", [False, True])

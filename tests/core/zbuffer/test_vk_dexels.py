@@ -32,7 +32,7 @@ def test_thin_first_segment_of_a_ray_joins_the_next_segment():
     assert [of.tolist() for of in (found.ray, found.owner, found.near, found.far)] == [[0], [2], [3.0], [4.0]]
 
 
-def test_segments_of_rays_leave_no_gaps_if_thin_segments_are_dropped():
+def test_dropped_thin_segments_of_rays_leave_no_gaps():
     """Some of the six segments of each ray are thin. A ray with only thin segments has no material."""
     for seed in range(20):
         rng = np.random.default_rng(seed)

@@ -197,9 +197,8 @@ def test_moments_outside_the_simulation_are_refused():
     for step in (-1, 2):
         with pytest.raises(ValueError, match=f"step must be a whole number, 0 to 1, not {step}"):
             z.at(step)
-    with pytest.raises(
-        TypeError, match=r"step must be a whole number, 0 to 1, not 0\.5"
-    ):  # The number of trajectories already cut is a whole number.
+    # The number of trajectories already cut is a whole number.
+    with pytest.raises(TypeError, match=r"step must be a whole number, 0 to 1, not 0\.5"):
         z.at(0.5)
 
 

@@ -183,7 +183,7 @@ def test_each_ray_segment_belongs_to_the_move_that_removes_it(tool, path):
 
 
 @pytest.mark.parametrize("direction", [(0, 0, -1), (1, 0.5, -0.3)])
-def test_check_finds_shifted_ends_and_wrong_moves_of_ray_segments(direction):
+def test_check_finds_shifted_and_wrong_segments_of_rays(direction):
     """Ends of segments are shifted by 0.001 mm, or a segment is assigned to the move before or after the right move."""
     points = free(np.random.default_rng(2), 8)
     z = simulate(toolpath(points), tool=TOOLS[0], stock=BOX, view=View(direction, 30, 20))

@@ -247,9 +247,8 @@ class _Reader:
         if "P" in letters and _MACRO_CALL in words and self._call_macro(words):
             return self._ended
         ended = self.machine.block(self.number, words, letters, deleted=self.deleted)
-        if (
-            self.calls and self.machine.dialect.calls and not self.deleted
-        ):  # M99 with a P word also returns to the caller
+        # M99 with a P word also returns to the caller.
+        if self.calls and self.machine.dialect.calls and not self.deleted:
             ended |= _RETURN.search(code) is not None
         if self.machine.call is not None:
             self._call(self.machine.call, dict(words), index)

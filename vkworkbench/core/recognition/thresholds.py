@@ -68,7 +68,7 @@ class MAJORITY:
     #: only majority threshold).
     SHARE = 0.5
     #: count. Minimum number of trochoids, bites, concentric arcs, lines of a grid, neighbouring strokes, or rows beside
-    #: loops. A smaller number of them can be caused by chance. With the value 1, open profiles are recognised as
+    #: loops. A smaller number of such patterns can be caused by chance. With the value 1, open profiles are recognised as
     #: zigzags. With a higher value, trochoids are recognised as profiles.
     REPETITIONS = 5
 

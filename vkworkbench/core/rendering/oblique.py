@@ -187,8 +187,8 @@ def _first_above(back: np.ndarray, height: int) -> np.ndarray:
     covered += np.arange(width, dtype=np.int32)
     found = np.zeros((height + 1, width), np.int32)
     # A step visits one cell in each column of pixels, from front to rear. If several successive steps begin with the
-    # same horizon, only the last of these steps raises the horizon. When numpy assigns the numbers of these steps, it
-    # assigns the last number last, so `found` keeps this number.
+    # same horizon, only the last step of the series raises the horizon. numpy assigns the numbers of the series in their
+    # order, so `found` keeps the number of the last step.
     found.ravel()[covered.astype(np.int64)] = np.arange(steps, dtype=np.int32)[:, None]
     for below, row in zip(found, found[1:-1]):
         np.maximum(below, row, out=row)

@@ -44,8 +44,8 @@ class Polyline:
 class Reading:
     """The data of the Gauss map for one operation."""
 
-    # The same recognition as in an analysis, so that the plots show the numbers of the mark in the tree, the table and
-    # the CSV file.
+    # The recognition is the same as in an analysis, so that the plots show the numbers of the mark in the tree, the
+    # table and the CSV file.
     recognition: Recognition
     areas: Areas  # all monotonous areas of the toolpath
     # outline, links: the moves of all areas, and the moves between the areas.

@@ -141,7 +141,7 @@ def _run(work: Callable, given_up: threading.Event, results: SimpleQueue) -> Non
             going_on()
         results.put((False, None))
     except Exception as error:
-        results.put((False, error))  # after `give_up`, nobody reads the error
+        results.put((False, error))  # no function reads the error after `give_up`
 
 
 class Busy(QWidget):

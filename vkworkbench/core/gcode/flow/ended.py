@@ -23,7 +23,7 @@ class Ended(Exception):
 class Unknown(Ended):
     """The value of a variable is unknown, because it comes from the machine.
 
-    Reading ends at the first line that needs such a value, not before.
+    Reading goes on up to the first line that needs an unknown value.
     """
 
 

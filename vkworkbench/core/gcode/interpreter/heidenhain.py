@@ -13,7 +13,7 @@ from vkworkbench.language import Message
 
 _ABSOLUTE, _RELATIVE = codes.ABSOLUTE / 10, codes.RELATIVE / 10
 _ALONG = {"I": "X", "J": "Y"}  # the axes of the pole's coordinates
-# The G-codes of moves in polar coordinates, and the G-codes of these moves in Cartesian coordinates.
+# For each G-code of a move in polar coordinates, the G-code of the same move in Cartesian coordinates.
 _POLAR = {10.0: 0.0, 11.0: 1.0, 12.0: 2.0, 13.0: 3.0}
 _WHOLE = 1e-9  # turns; a smaller rest is a rounding error
 

@@ -36,7 +36,7 @@ ROUNDED = 1e-3
 _OF_RISE = 2.0
 _CELLS = 256  # number of cells along each side of the rectangle in which the rises of the arcs are stored
 _SIDES = np.arange(8) * pi / 4
-_PIECES_AT_ONCE = 1 << 14
+_SEGMENTS_AT_ONCE = 1 << 14
 # Number of concentric rings with equal widths into which a tool is divided to compute its volume.
 _RINGS = 64
 
@@ -108,8 +108,8 @@ def crashes_among(cuts: Cuts, segments: RemovedSegments, volumes: np.ndarray, ri
     # the rapid's swept volume by more than the depth that counts as touching.
     order = np.argsort(-length, kind="stable")
     longest = np.full(len(cuts), -1)
-    for first in range(0, len(order), _PIECES_AT_ONCE):
-        some = order[first : first + _PIECES_AT_ONCE]
+    for first in range(0, len(order), _SEGMENTS_AT_ONCE):
+        some = order[first : first + _SEGMENTS_AT_ONCE]
         some = some[longest[owner[some]] < 0]
         if len(some):
             ends = segments.upper[some], middle[some]
